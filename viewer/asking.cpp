@@ -8,6 +8,7 @@
 
 #include "app.hpp"
 #include "imgui_vec.hpp"
+#include "outlines/polygon.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
 #include "session/hit.hpp"
@@ -53,9 +54,9 @@ std::vector<std::string> Asking::choices() {
   return question->pair[next_half()].vertices;
 }
 
-void Asking::answer(const std::string& choice) {
+void Asking::answer(const std::string& choice, std::optional<Eigen::Vector2d> pointed) {
   forget();
-  app_.session().grade(choice);
+  app_.session().grade(choice, pointed);
   app_.picture().hand().selected = {};
 }
 
@@ -156,6 +157,7 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
     answer(name);
     return true;
   }
+  if (click_on_spot(*question, view, at)) return true;
   if (question->pair.empty() || !is_vertex(subject)) return false;
   // The two halves come in any order.
   const std::string name = name_of(subject);
@@ -166,6 +168,32 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
   }
   app_.picture().hand().selected = subject;
   choose_half(half, name);
+  return true;
+}
+
+bool Asking::click_on_spot(const FrameQuestion& question, std::size_t view,
+                           const Eigen::Vector2d& at) {
+  const LessonPictures::ShownView shown = app_.session().views()[view];
+  if (!shows_shapes(shown.kind)) return false;
+  constexpr double kNear = 24.0;  // frame pixels: a place is pointed at by eye
+  constexpr double kVertex = 9.0;
+  const double pixel = shown.camera.height / shown.card.size().y();
+  double nearest = (question.place ? kNear : kReach) * pixel;
+  std::string chosen;
+  for (std::size_t i = 0; i < question.spots.size(); ++i) {
+    const std::optional<Spot>& spot = question.spots[i];
+    if (!spot || spot->view != shown.kind) continue;
+    const bool is_point = spot->from == spot->to;
+    double away = segment_distance(at, spot->from, spot->to) - spot->reach;
+    // A vertex goes before its edges.
+    if (is_point && away < kVertex * pixel) away = 0.0;
+    if (!is_point || spot->reach > 0.0) away = std::max(away, 0.0) + pixel;
+    if (away >= nearest) continue;
+    nearest = away;
+    chosen = question.choices[i];
+  }
+  if (chosen.empty()) return false;
+  answer(chosen, at);
   return true;
 }
 
@@ -250,8 +278,31 @@ void Asking::draw_verdicts(ImDrawList& list) const {
       list.AddLine({center.x - reach, center.y - reach}, {center.x + reach, center.y + reach},
                    color, 3.0f * zoom);
     };
+    if (answer->pointed && answer->place) {
+      draw_way(list, *answer->pointed, *answer->place);
+      continue;
+    }
     mark(answer->right, "caption.right", false);
     if (!answer->is_right()) mark(answer->chosen, "caption.wrong", true);
+  }
+}
+
+void Asking::draw_way(ImDrawList& list, const Eigen::Vector2d& from,
+                      const Eigen::Vector2d& to) const {
+  Session& session = app_.session();
+  const auto zoom = static_cast<float>(session.page().zoom);
+  const auto color_of = [&](const char* role) {
+    const Color ink = *app_.theme().style(role).fill;
+    return IM_COL32(ink.r, ink.g, ink.b, 255);
+  };
+  for (const LessonPictures::ShownView& shown : session.views()) {
+    if (shown.kind != ViewKind::world) continue;
+    const StageMap map(shown.card, shown.camera);
+    const ImVec2 pointed = vec(app_.picture().to_pixel(map(from)));
+    const ImVec2 place = vec(app_.picture().to_pixel(map(to)));
+    list.AddLine(pointed, place, color_of("caption.wrong"), 2.0f * zoom);
+    list.AddCircleFilled(pointed, 5.0f * zoom, color_of("caption.wrong"));
+    list.AddCircle(place, 11.0f * zoom, color_of("caption.right"), 0, 3.0f * zoom);
   }
 }
 

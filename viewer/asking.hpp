@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "picture/frame_text.hpp"
 #include "picture/picture.hpp"
 
 struct ImDrawList;
@@ -55,9 +56,13 @@ class Asking {
  private:
   /// The name by which choices call a subject; empty when they do not.
   [[nodiscard]] std::string name_of(const Subject& subject) const;
+  /// From where an answer was pointed at to the place that was asked for.
+  void draw_way(ImDrawList& list, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   /// Another frame than when something was chosen last has nothing chosen yet.
   void follow();
-  void answer(const std::string& choice);
+  void answer(const std::string& choice, std::optional<Eigen::Vector2d> pointed = {});
+  /// A click near the vertex, edge or place that stands for a choice.
+  bool click_on_spot(const FrameQuestion& question, std::size_t view, const Eigen::Vector2d& at);
   /// A half of a pair; both make an answer.
   void choose_half(std::size_t half, const std::string& name);
   [[nodiscard]] std::size_t next_half() const { return halves_[0].empty() ? 0 : 1; }

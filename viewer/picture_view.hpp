@@ -40,6 +40,7 @@ class PictureView {
   [[nodiscard]] Hand& hand() { return hand_; }
   /// The place of a mark of the subject on the window; nothing when none is in sight.
   [[nodiscard]] std::optional<Point> pixel_of(const Subject& subject);
+  [[nodiscard]] Point to_pixel(const Point& page) const { return area_.min + zoom_ * page; }
   /// The step that a hand is held to; 0 where it goes anywhere.
   [[nodiscard]] Eigen::Vector2d grid(std::size_t view) const;
   /// The card of the panel, or of the last view where there is none, on the window.
@@ -71,7 +72,6 @@ class PictureView {
   };
 
   [[nodiscard]] Point to_page(const Point& pixel) const { return (pixel - area_.min) / zoom_; }
-  [[nodiscard]] Point to_pixel(const Point& page) const { return area_.min + zoom_ * page; }
   /// The frame of the timeline at this height that is nearest; nothing elsewhere.
   [[nodiscard]] std::optional<int> frame_at(const Point& page);
   /// The session's picture, or what leads to it from the step that was shown before.

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "frames/spots.hpp"
 #include "lesson/prose.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
@@ -17,6 +18,8 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
   text.iteration = info.iteration;
   if (frame.question >= 0) {
     (act.question ? act.question : captions::question)(story, text);
+    if (text.question->spots.empty())
+      text.question->spots = spots_of(run, frame, text.question->choices);
     if (text.detail.empty()) text.detail = listed_choices(text.question->choices);
     text.phase = "question";
     text.iteration = run.answering_iteration(frame);

@@ -200,6 +200,15 @@ std::vector<FrameText> lesson_texts(const LessonRun& run, EffectGraph& effects) 
     texts.back().position = position_of(run, static_cast<int>(texts.size()) - 1);
     if (frame.question < 0) tell_answers(texts);
   }
+  if (texts.empty()) return texts;
+  if (!run.lesson.opening.empty()) {
+    texts.front().detail = texts.front().caption;
+    texts.front().caption = run.lesson.opening;
+  }
+  if (!run.lesson.next.empty()) {
+    std::string& detail = texts.back().detail;
+    detail += (detail.empty() ? "" : " ") + run.lesson.next;
+  }
   return texts;
 }
 

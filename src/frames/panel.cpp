@@ -9,6 +9,11 @@ namespace gjkscope {
 std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects, const Frame& frame,
                               const Fonts& fonts, const Rect& card) {
   PanelBuilder panel(run, effects, frame, fonts, card);
+  // Where a question is asked at a new place, the numbers there would answer it.
+  if (frame.question >= 0 && run.act->asking != nullptr) {
+    panel.heading("The numbers come with the answer.");
+    return std::move(panel.marks);
+  }
   for (const std::string& name : run.lesson.panel) {
     const std::size_t before = panel.marks.size();
     if (&name != &run.lesson.panel.front()) panel.rule();

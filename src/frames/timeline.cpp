@@ -25,10 +25,11 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
     if (frame.question < 0) {
       tick = act.tick(run, frame);
     } else {
-      // A question belongs to the group of its answer.
+      // A question belongs to the group of its answer, unless that would tell it.
       tick = {.group = run.act->follows_run
                            ? fmt::format("iteration {}", run.answering_iteration(frame))
-                           : groups.back().label,
+                       : run.act->asking != nullptr ? std::string("next")
+                                                    : groups.back().label,
               .label = "question",
               .short_label = "?",
               .question = true};

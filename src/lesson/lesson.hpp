@@ -148,7 +148,9 @@ struct Lesson {
   int chapter = 1;
   int order = 1;  ///< Within the chapter.
   std::string source;
-  std::string prose;  ///< May hold placeholders, {distance} and so on; see lesson/prose.hpp.
+  std::string prose;    ///< May hold placeholders, {distance} and so on; see lesson/prose.hpp.
+  std::string opening;  ///< Why the lesson is there: heads the words of the first frame.
+  std::string next;     ///< What the next lesson answers: ends the words of the last frame.
 
   std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.
   ScalarKind scalar = ScalarKind::double_;

@@ -134,6 +134,8 @@ void LessonReader::read_head(const Table& file) {
   lesson_.chapter = reader_.whole_number(file["chapter"], 0, kLastChapter).value_or(1);
   lesson_.order = reader_.whole_number(file["order"], 1, kLastOrder).value_or(1);
   lesson_.source = reader_.text(file["source"], kSourceLength).value_or("");
+  lesson_.opening = reader_.text(file["opening"], kOpeningLength).value_or("");
+  lesson_.next = reader_.text(file["next"], kNextLength).value_or("");
 }
 
 void LessonReader::read_prose(const Field& prose) {
@@ -876,8 +878,11 @@ std::vector<std::string> default_vertex_names(const LessonShape& shape, std::str
 }
 
 std::vector<LessonText> texts_of(const Lesson& lesson) {
-  std::vector<LessonText> texts = {
-      {"title", lesson.title}, {"source", lesson.source}, {"prose", lesson.prose}};
+  std::vector<LessonText> texts = {{"title", lesson.title},
+                                   {"source", lesson.source},
+                                   {"prose", lesson.prose},
+                                   {"opening", lesson.opening},
+                                   {"next", lesson.next}};
   for (std::size_t body = 0; body < lesson.bodies.size(); ++body) {
     const LessonShape& shape = lesson.bodies[body];
     texts.push_back({fmt::format("shapes.{}.name", kBodyKeys[body]), shape.name});

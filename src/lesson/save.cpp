@@ -137,6 +137,8 @@ std::string lesson_toml(const Lesson& lesson) {
   out.key("order", std::to_string(lesson.order));
   out.text("source", lesson.source, "");
   if (!lesson.prose.empty()) out.long_text("prose", lesson.prose);
+  if (!lesson.opening.empty()) out.long_text("opening", lesson.opening);
+  if (!lesson.next.empty()) out.long_text("next", lesson.next);
   for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
     write_shape(out, lesson.bodies[i], kBodyKeys[i]);
   write_query(out, lesson);

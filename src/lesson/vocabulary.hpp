@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lesson/algorithm.hpp"
+#include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/schema.hpp"
 
@@ -65,6 +66,8 @@ struct Act {
   /// where there is none. Only with `asks`.
   int (*answering_step)(const LessonRun& run, const Frame& before, const Frame& frame,
                         const LessonQuestion& question) = nullptr;
+  /// The frame that asks what `frame` answers, less its question; nullptr: the one before it.
+  Frame (*asking)(const LessonRun& run, const Frame& frame) = nullptr;
   /// What is shown.
   const Algorithm* algorithm = nullptr;
 

@@ -1,10 +1,13 @@
 #pragma once
 // The words and numbers that go with a frame.
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "lesson/lesson.hpp"
 
 namespace gjkscope {
 
@@ -14,6 +17,14 @@ struct VertexChoice {
   std::vector<std::string> vertices;
 };
 
+/// Where a reader points at a choice: a point of a view, or a segment.
+struct Spot {
+  ViewKind view = ViewKind::world;
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  double reach = 0.0;  ///< How far around it is meant, too.
+};
+
 /// The question of a frame.
 struct FrameQuestion {
   std::string ask;                   ///< "support", ...
@@ -21,6 +32,9 @@ struct FrameQuestion {
   std::string answer;                ///< The next frame that asks nothing tells it.
   /// The two to choose, in their order, if a choice is a pair, "K−A".
   std::vector<VertexChoice> pair = {};
+  std::vector<std::optional<Spot>> spots = {};  ///< Of the choices, in their order; or empty.
+  /// The place that is asked for, if it is one: an answer says how far off it is.
+  std::optional<Eigen::Vector2d> place = {};
   std::string reason = {};  ///< The caption of the frame that tells, without the answer before it.
 };
 

@@ -58,17 +58,36 @@ const WideState& state_before(const WideTrace& trace, int step) {
   return step == 0 ? trace.initial : trace.steps[step - 1].after;
 }
 
+bool has_closest(const LessonRun& run, const Frame& frame, std::string_view ask) {
+  const WideResult& result = run.run(frame).trace.result;
+  if (frame.step < 0 || !(result.distance > 0.0)) return false;
+  const LessonShape& shape = ask == asks::kClosestX.name ? run.lesson.x() : run.lesson.y();
+  if (shape.vertices.size() < 2) return false;
+  bool along_x = false;
+  bool along_y = false;
+  for (int i = 1; i < result.simplex.count; ++i) {
+    along_x = along_x || result.simplex.vertices[i].pair.x != result.simplex.vertices[0].pair.x;
+    along_y = along_y || result.simplex.vertices[i].pair.y != result.simplex.vertices[0].pair.y;
+  }
+  return !(along_x && along_y);  // parallel edges
+}
+
+bool is_at(const Frame& frame, const LessonQuestion& question) {
+  return question.at.value_or(frame.run + 1) == frame.run + 1;
+}
+
 void add_question_frames(LessonRun& run) {
   const std::vector<LessonQuestion>& questions = run.lesson.questions;
   if (questions.empty()) return;
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     for (int q = 0; i > 0 && q < static_cast<int>(questions.size()); ++q) {
-      if (run.frames[i - 1].run != run.frames[i].run && !run.act->sweeps) continue;
+      const bool is_elsewhere = run.frames[i - 1].run != run.frames[i].run;
+      if (is_elsewhere && !run.act->sweeps && run.act->asking == nullptr) continue;
       const int answer =
           run.act->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
       if (answer < 0) continue;
-      frames.push_back(run.frames[i - 1]);
+      frames.push_back(run.act->asking ? run.act->asking(run, run.frames[i]) : run.frames[i - 1]);
       frames.back().question = q;
       frames.back().answering_step = answer;
     }

@@ -15,6 +15,14 @@ inline constexpr AskInfo kRegion{"region", "the region that holds the query poin
 inline constexpr AskInfo kDropped{"dropped", "the vertices that are dropped"};
 inline constexpr AskInfo kSupport{"support", "the next support point"};
 inline constexpr AskInfo kStop{"stop", "whether the run stops, and why"};
+inline constexpr AskInfo kClosest{"closest", "the closest point: where it is", "at position"};
+inline constexpr AskInfo kClosestX{"closest-x", "the closest point of X: where it is",
+                                   "at position"};
+inline constexpr AskInfo kClosestY{"closest-y", "the closest point of Y: where it is",
+                                   "at position"};
+inline constexpr AskInfo kSign{"sign", "which barycentric coordinate is negative", "at position"};
+inline constexpr AskInfo kFoot{"foot", "the foot of the perpendicular: where it is", "at position"};
+inline constexpr std::array kOfAnswers = {kClosestX, kClosestY};
 inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop};
 }  // namespace asks
 
@@ -28,6 +36,11 @@ inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop};
 /// More than one answer could be given to somebody who sees only what came before `step`.
 [[nodiscard]] bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,
                            int step);
+
+/// The closest point of X (or Y) is a single one, and there are others to choose from.
+[[nodiscard]] bool has_closest(const LessonRun& run, const Frame& frame, std::string_view ask);
+/// Where a question counts positions, that of `frame` is meant.
+[[nodiscard]] bool is_at(const Frame& frame, const LessonQuestion& question);
 
 /// Puts before each frame that answers a question of the lesson the frame that asks it. What has
 /// only one answer is not asked: of what region of a single vertex, say, Q lies in. Nor is what has

@@ -12,6 +12,7 @@
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "lesson/schema.hpp"
+#include "picture/words.hpp"
 #include "run/questions.hpp"
 #include "session/hit.hpp"
 #include "subjects/difference/minkowski.hpp"
@@ -40,8 +41,12 @@ Sight sight(const Camera& camera, const Rect& card) {
 }
 
 /// The verdict of the run on an answer; null where none was given.
-std::string verdict(const FrameQuestion& asked, const Answer* answer) {
+std::string verdict(const FrameQuestion& asked, const Answer* answer, const Numbers& numbers) {
   const std::string& right = asked.answer;
+  if (answer && answer->pointed && answer->place) {
+    return fmt::format("{}: {}. You pointed {} away.", answer->is_right() ? "Right" : "Not so",
+                       right, numbers((*answer->pointed - *answer->place).norm()));
+  }
   if (asked.ask == asks::kStop.name) {
     const std::string clause = right == "no" ? "GJK goes on" : "GJK stops, " + right;
     if (answer && answer->is_right()) return fmt::format("Right: {}.", clause);
@@ -610,18 +615,19 @@ void Session::answer(const std::string& choice) {
   if (take(choice)) step(1);
 }
 
-void Session::grade(const std::string& choice) {
-  if (!take(choice)) return;
+void Session::grade(const std::string& choice, std::optional<Eigen::Vector2d> pointed) {
+  if (!take(choice, pointed)) return;
   const auto next = static_cast<std::size_t>(index_) + 1;
   picture_.reset();
   if (next < texts().size() && !texts()[next].question) step(1);
 }
 
-bool Session::take(const std::string& choice) {
+bool Session::take(const std::string& choice, std::optional<Eigen::Vector2d> pointed) {
   const FrameQuestion* asked = question();
   if (!asked) return false;
   answers_.push_back({lesson_.id, text().iteration, asked->ask, asked->choices, choice,
-                      asked->answer, version_, frame().run, frame().answering_step});
+                      asked->answer, version_, frame().run, frame().answering_step, pointed,
+                      asked->place});
   return true;
 }
 
@@ -648,7 +654,8 @@ FrameText Session::told() const {
     const Answer* answer = given(i);
     if (answer) ++count;
     if (answer && !answer->is_right()) all_right = false;
-    verdicts += verdict(*texts()[static_cast<std::size_t>(i)].question, answer) + " ";
+    verdicts +=
+        verdict(*texts()[static_cast<std::size_t>(i)].question, answer, Numbers(lesson_)) + " ";
   }
   if (count == 0) return text;
   const std::string& reason = texts()[static_cast<std::size_t>(first)].question->reason;

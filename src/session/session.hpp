@@ -28,6 +28,9 @@ struct Answer {
   long version = 0;
   int run = 0;
   int step = 0;
+  /// Where the answer was pointed at, and the place that was asked for; if there is one.
+  std::optional<Eigen::Vector2d> pointed = {};
+  std::optional<Eigen::Vector2d> place = {};
   [[nodiscard]] bool is_right() const { return chosen == right; }
 };
 
@@ -178,8 +181,8 @@ class Session {
   /// Takes the choice, and goes on to the next frame.
   void answer(const std::string& choice);
   /// Takes the choice. Goes on where the next frame tells; where it asks something else, the
-  /// verdict comes first.
-  void grade(const std::string& choice);
+  /// verdict comes first. `pointed`: the place in the world that was pointed at.
+  void grade(const std::string& choice, std::optional<Eigen::Vector2d> pointed = {});
   /// The answer that was given to the question of a frame; null where none was, or none was asked.
   [[nodiscard]] const Answer* given(int index) const;
   /// The words of this frame, with the verdict on answers to its question, or to those that it
@@ -244,7 +247,7 @@ class Session {
   };
 
   /// False when no question is open.
-  bool take(const std::string& choice);
+  bool take(const std::string& choice, std::optional<Eigen::Vector2d> pointed = {});
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.
   std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Sight>> sights);
   /// With the cameras that `lesson` was seen with.

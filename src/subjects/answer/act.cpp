@@ -5,7 +5,9 @@
 #include <array>
 
 #include "run/facts.hpp"
+#include "run/questions.hpp"
 #include "subjects/answer/subject.hpp"
+#include "subjects/run/subject.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -42,6 +44,16 @@ void witness_knows(const Frame& frame, KnownFacts& facts) {
   facts.distance = facts.has_ended && frame.part == static_cast<int>(WitnessPart::distance);
 }
 
+int witness_answer(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const WitnessPart part =
+      question.ask == asks::kClosestX.name ? WitnessPart::on_x : WitnessPart::on_y;
+  return is_at(frame, question) && witness_part(run, frame) == part &&
+                 has_closest(run, frame, question.ask)
+             ? frame.step
+             : -1;
+}
+
 }  // namespace
 
 const Act kWitness{
@@ -51,12 +63,15 @@ const Act kWitness{
         "the distance",
     .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
     .add_frames = witness_frames,
+    .asks = asks::kOfAnswers,
+    .answering_step = witness_answer,
     .algorithm = &kGjkAlgorithm,
     .knows = witness_knows,
     .position = witness_position,
     .tick = witness_tick,
     .words = captions::witness,
     .stage = layers::answer,
+    .question = captions::closest_question,
 };
 
 }  // namespace gjkscope::acts

@@ -69,13 +69,17 @@ void witness(PanelBuilder& panel) {
       panel,
       sum(fmt::format("The same weights on {}", lesson.y().name), "y =", WitnessPart::on_y,
           result.y),
-      [&](gjk::VertexPair pair) { return lesson.y().vertex_names[pair.y]; },
+      [&](gjk::VertexPair pair) {
+        return reached >= WitnessPart::on_y ? lesson.y().vertex_names[pair.y] : "?";
+      },
       [&](const auto& vertex) { return positioned.y().world[vertex.pair.y]; });
   write_sum(
       panel,
       sum(fmt::format("The same weights on {}", lesson.x().name), "x =", WitnessPart::on_x,
           result.x),
-      [&](gjk::VertexPair pair) { return lesson.x().vertex_names[pair.x]; },
+      [&](gjk::VertexPair pair) {
+        return reached >= WitnessPart::on_x ? lesson.x().vertex_names[pair.x] : "?";
+      },
       [&](const auto& vertex) { return positioned.x().world[vertex.pair.x]; });
   panel.write("heading", panel.left, "|y − x| = |P|", type::kHeading);
   panel.write(reached >= WitnessPart::distance ? "code.current" : "untried", panel.right,

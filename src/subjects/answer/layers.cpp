@@ -96,7 +96,7 @@ void way(SceneBuilder& scene, const Point& from, const Point& to) {
 
 void answer(SceneBuilder& scene) {
   const WideResult& result = scene.positioned.trace.result;
-  if (result.simplex.count == 0) return;
+  if (result.simplex.count == 0 || scene.frame.step < 0) return;
   const WitnessPart reached = shown(scene);
   const bool meet = result.distance == 0.0;
   if (scene.shows_difference) {

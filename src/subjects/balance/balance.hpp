@@ -22,6 +22,8 @@ struct Beam {
 /// Of a frame with such a part.
 [[nodiscard]] double seconds_of(const LessonRun& run, const Frame& frame);
 
+/// How far the beam is drawn below its segment, as a fraction of the segment's length.
+inline constexpr double kBeamDrop = 0.6;
 /// How high a level beam is over the ground, as a fraction of the beam's length.
 inline constexpr double kBeamHeight = 0.19;
 /// How high the axle that the beam hangs from is over it, in the same unit. A beam that hangs has a

@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-constexpr double kDrop = 0.6;     // of the beam below its segment, in lengths of the segment
 constexpr double kFoot = 0.06;    // half the width of the support's foot, in the same unit
 constexpr double kHanger = 0.07;  // half the width of what the beam hangs by, in the same unit
 constexpr double kAxleRadius = 4.0;
@@ -45,7 +44,9 @@ void balance(SceneBuilder& scene) {
   Vector2d up(-along.y(), along.x());
   if (up.y() < 0.0) up = -up;
   // Positions beside the segment in its own unit: along it, and upwards from the beam's level.
-  const auto at = [&](double x, double y) { return scene.at(a + x * along + (y - kDrop) * up); };
+  const auto at = [&](double x, double y) {
+    return scene.at(a + x * along + (y - kBeamDrop) * up);
+  };
   const double cosine = std::cos(beam.angle);
   const double sine = std::sin(beam.angle);
   const auto on_beam = [&](double x) {

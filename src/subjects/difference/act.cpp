@@ -2,7 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "outlines/polygon.hpp"
+#include "run/questions.hpp"
 #include "subjects/difference/subject.hpp"
+#include "subjects/run/subject.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -61,6 +68,68 @@ Tick pairs_tick(const LessonRun& run, const Frame& frame) {
   return {};
 }
 
+constexpr AskInfo kAskInside{"inside", "a difference that is no vertex of Z"};
+constexpr std::array kPairsAsks = {kAskInside, asks::kClosestX, asks::kClosestY};
+
+/// The hull of all differences, and the difference deepest inside: -1 where none is inside.
+struct Inside {
+  std::vector<gjk::VertexPair> pairs;
+  std::vector<int> hull;
+  int deepest = -1;
+};
+
+Inside inside_of(const PositionedRun& run) {
+  Inside out;
+  std::vector<Eigen::Vector2d> points;
+  for (int x = 0; x < static_cast<int>(run.x().world.size()); ++x) {
+    for (int y = 0; y < static_cast<int>(run.y().world.size()); ++y) {
+      points.push_back(in_plane(run.y().world[y]) - in_plane(run.x().world[x]));
+      out.pairs.push_back({x, y});
+    }
+  }
+  out.hull = convex_hull(points);
+  double most = 0.01 * (points[out.hull.back()] - points[out.hull.front()]).norm();
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < out.hull.size(); ++k) {
+      const Eigen::Vector2d& to = points[out.hull[(k + 1) % out.hull.size()]];
+      const Eigen::Vector2d on_edge = closest_on_segment(points[i], points[out.hull[k]], to);
+      depth = std::min(depth, (on_edge - points[i]).norm());
+    }
+    if (depth <= most) continue;
+    most = depth;
+    out.deepest = i;
+  }
+  return out;
+}
+
+int pairs_answer(const LessonRun& run, const Frame&, const Frame& frame,
+                 const LessonQuestion& question) {
+  if (frame.step < 0 || !is_at(frame, question)) return -1;
+  const BuildPart part = build_frame(run, frame)->part;
+  const bool answers = question.ask == kAskInside.name
+                           ? part == BuildPart::hull && inside_of(run.run(frame)).deepest >= 0
+                           : part == BuildPart::shortest && has_closest(run, frame, question.ask);
+  return answers ? frame.step : -1;
+}
+
+void pairs_question(const Story& story, FrameText& text) {
+  const std::string& ask =
+      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  if (ask != kAskInside.name) return captions::closest_question(story, text);
+  const Inside inside = inside_of(story.positioned);
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
+  asked.answer = story.run.pair_name(inside.pairs[inside.deepest]);
+  asked.choices = {asked.answer};
+  constexpr std::size_t kVertices = 3;
+  for (std::size_t k = 0; k < kVertices; ++k) {
+    asked.choices.push_back(
+        story.run.pair_name(inside.pairs[inside.hull[k * inside.hull.size() / kVertices]]));
+  }
+  std::sort(asked.choices.begin(), asked.choices.end());
+  text.caption = "Question: Z will be the hull of these points. Which of them is no vertex of Z?";
+}
+
 }  // namespace
 
 const Act kPairs{
@@ -71,11 +140,14 @@ const Act kPairs{
         "most 8 vertices in each shape",
     .needs = {.most_vertices = kMostVertices},
     .add_frames = pairs_frames,
+    .asks = kPairsAsks,
+    .answering_step = pairs_answer,
     .algorithm = &kGjkAlgorithm,
     .position = pairs_position,
     .tick = pairs_tick,
     .words = captions::pairs,
     .stage = layers::building,
+    .question = pairs_question,
 };
 
 }  // namespace gjkscope::acts

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
+#include "run/questions.hpp"
 #include "subjects/growth/growth.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/growth/table.hpp"
@@ -88,6 +90,13 @@ bool growth_fill(SceneBuilder& scene, const Fonts& fonts) {
   return true;
 }
 
+constexpr std::array kGrowthAsks = {asks::kSupport};
+
+int growth_answer(const LessonRun& run, const Frame& before, const Frame& frame,
+                  const LessonQuestion& question) {
+  return shown_size(run, frame) ? -1 : answering_step_of_run(run, before, frame, question);
+}
+
 std::string growth_plot_title(const LessonRun&) { return "Iterations as polygons grow"; }
 
 }  // namespace
@@ -102,6 +111,8 @@ const Act kGrowth{
               .why_no_until = "frames show how the run ends"},
     .add_frames = growth_frames,
     .follows_run = true,
+    .asks = kGrowthAsks,
+    .answering_step = growth_answer,
     .algorithm = &kGjkAlgorithm,
     .position = growth_position,
     .tick = growth_tick,

@@ -56,7 +56,7 @@ void grown_obstacle(SceneBuilder& scene) {
   const WideResult& result = scene.positioned.trace.result;
   const Vector2d position = scene.positioned.x().placement.translate;
   const Point p = scene.at(position);
-  if (result.distance > 0.0) {
+  if (result.distance > 0.0 && scene.frame.question < 0) {
     // P of the difference, moved by where X stands.
     const Point nearest = scene.at(in_plane(result.y - result.x) + position);
     scene.line("closest.line", p, nearest);

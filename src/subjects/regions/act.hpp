@@ -16,7 +16,8 @@ enum class MapStage {
   negative_w,
   signs,
   blended,
-  difference
+  difference,
+  asked  ///< Of a question: both maps, and Q at a new place.
 };
 [[nodiscard]] std::optional<MapStage> map_stage(const LessonRun& run, const Frame& frame);
 

@@ -83,6 +83,7 @@ void maps(const Story& story, FrameText& text) {
       text.detail =
           "Three lines make seven regions again, one for each feature, but with other borders.";
       return;
+    case MapStage::asked:  // has the words of its question
     case MapStage::blended:
       text.caption = "Both maps at once: they agree inside the triangle, but not outside.";
       text.detail =

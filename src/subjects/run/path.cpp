@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <array>
 
+#include "run/questions.hpp"
+#include "subjects/regions/voronoi.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -17,6 +21,28 @@ Tick path_tick(const LessonRun& run, const Frame& frame) {
   return {.group = "region " + SimplexWords(run, run.state(frame).simplex).face(face)};
 }
 
+/// What a lesson shows can be asked.
+int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
+                const LessonQuestion& question) {
+  const WideTrace& trace = run.run(frame).trace;
+  if (frame.step < 0 ||
+      trace.steps[static_cast<std::size_t>(frame.step)].phase != gjk::Phase::closest ||
+      !is_at(frame, question))
+    return -1;
+  const int count = state_before(trace, frame.step).simplex.count;
+  const bool is_on_map = question.ask == asks::kRegion.name || question.ask == asks::kClosest.name;
+  const bool shows = is_on_map ? run.lesson.calls_for(VoronoiRegions::kName)
+                               : run.lesson.calls_for(BarycentricParts::kName);
+  if (!shows || count < 2 || (question.ask == asks::kFoot.name && count != 2)) return -1;
+  return frame.step;
+}
+
+/// At the new place, before anything is known of it.
+Frame path_asking(const LessonRun&, const Frame& frame) { return {.run = frame.run}; }
+
+constexpr AskInfo kRegionAtPosition{asks::kRegion.name, asks::kRegion.meaning, "at position"};
+constexpr std::array kPathAsks = {kRegionAtPosition, asks::kClosest, asks::kSign, asks::kFoot};
+
 }  // namespace
 
 const Act kPath{
@@ -25,6 +51,9 @@ const Act kPath{
     .needs = {.path = PathUse::needed},
     .add_frames = path_frames,
     .sweeps = true,
+    .asks = kPathAsks,
+    .answering_step = path_answer,
+    .asking = path_asking,
     .algorithm = &kGjkAlgorithm,
     .position = position_on_path,
     .tick = path_tick,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "outlines/polygon.hpp"
 #include "picture/story.hpp"
 #include "run/questions.hpp"
 #include "subjects/difference/subject.hpp"
@@ -68,7 +69,8 @@ class Asking {
     for (int i = gradual ? story_.knows.tests_reached + 1 : 0; i < order.count; ++i)
       asked_.choices.push_back(words_.face(order.faces[i]));
     // In the order of the tests the first one left would be the answer.
-    if (gradual) std::sort(asked_.choices.begin(), asked_.choices.end());
+    if (gradual || run_.act->asking != nullptr)
+      std::sort(asked_.choices.begin(), asked_.choices.end());
     asked_.answer = words_.face(step_.after.region);
     text_.caption = fmt::format(
         "Question: which Voronoi region of {} holds {}?",
@@ -102,7 +104,85 @@ class Asking {
         "Question: will GJK stop in this iteration, and by which test? V is the support point.";
   }
 
+  void closest() {
+    const gjk::FaceList faces =
+        gjk::tested_faces(before_.simplex.count, gjk::RegionOrder::vertices_first);
+    for (int i = 0; i < faces.count; ++i) add_face(faces.faces[i]);
+    asked_.answer = words_.face(step_.after.region);
+    asked_.place = world(in_plane(step_.after.p));
+    text_.caption = fmt::format("Question: where is P, the point of {} closest to {}? Point at it.",
+                                words_.face(before_.simplex.all()), story_.q);
+  }
+
+  void sign() {
+    const WideSimplex& simplex = before_.simplex;
+    const gjk::Barycentric<double, 2> weights = gjk::barycentric(in_plane(simplex), simplex.all());
+    constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
+    asked_.choices = {"none"};
+    asked_.spots = {std::nullopt};
+    int negative = 0;
+    asked_.answer = "none";
+    for (int i = 0; i < simplex.count; ++i) {
+      const int a = (i + 1) % simplex.count;
+      const int b = simplex.count == 2 ? a : (i + 2) % simplex.count;
+      asked_.choices.emplace_back(kLetters[i]);
+      asked_.spots.push_back(Spot{ViewKind::world, at_vertex(a), at_vertex(b)});
+      if (weights.numerator[i] < 0.0 && ++negative == 1) asked_.answer = asked_.choices.back();
+    }
+    if (simplex.count == 3) {
+      asked_.choices.emplace_back("two of them");
+      asked_.spots.emplace_back();
+    }
+    if (negative > 1) asked_.answer = asked_.choices.back();
+    text_.caption =
+        simplex.count == 2
+            ? fmt::format("Question: is u or v negative? Point at the end that {} lies beyond.",
+                          story_.q)
+            : fmt::format(
+                  "Question: which of u, v and w is negative? Point at the edge that {} lies "
+                  "beyond.",
+                  story_.q);
+  }
+
+  void foot() {
+    const Eigen::Vector2d a = at_vertex(0);
+    const Eigen::Vector2d b = at_vertex(1);
+    const std::string name_a = words_.vertex(0);
+    const std::string name_b = words_.vertex(1);
+    const double v = (q() - a).dot(b - a) / (b - a).squaredNorm();
+    asked_.choices = {"beyond " + name_a, fmt::format("between {} and {}", name_a, name_b),
+                      "beyond " + name_b};
+    asked_.spots = {Spot{ViewKind::world, 2.0 * a - b, a}, Spot{ViewKind::world, a, b},
+                    Spot{ViewKind::world, b, 2.0 * b - a}};
+    asked_.answer = asked_.choices[v < 0.0 ? 0 : v > 1.0 ? 2 : 1];
+    asked_.place = a + v * (b - a);
+    text_.caption =
+        fmt::format("Question: where is G, the point of the line {}{} closest to {}? Point at it.",
+                    name_a, name_b, story_.q);
+  }
+
  private:
+  [[nodiscard]] Eigen::Vector2d q() const {
+    return in_plane(run_.run(story_.frame).x().world.front());
+  }
+  /// Of a point query.
+  [[nodiscard]] Eigen::Vector2d world(const Eigen::Vector2d& difference) const {
+    return difference + q();
+  }
+  [[nodiscard]] Eigen::Vector2d at_vertex(int i) const {
+    return world(in_plane(before_.simplex.vertices[i].w));
+  }
+  void add_face(gjk::Face face) {
+    std::vector<Eigen::Vector2d> ends;
+    for (int i = 0; i < before_.simplex.count; ++i) {
+      if (gjk::contains(face, i)) ends.push_back(at_vertex(i));
+    }
+    asked_.choices.push_back(words_.face(face));
+    asked_.spots.push_back(ends.size() > 2
+                               ? std::nullopt
+                               : std::optional(Spot{ViewKind::world, ends.front(), ends.back()}));
+  }
+
   /// Where what is asked for happens, if not in the step that tells it.
   [[nodiscard]] const WideStep& next_step() const {
     return story_.trace.steps[static_cast<std::size_t>(story_.frame.answering_step) + 1];
@@ -128,6 +208,44 @@ void question(const Story& story, FrameText& text) {
   if (ask == asks::kRegion.name) asking.region();
   if (ask == asks::kDropped.name) asking.dropped();
   if (ask == asks::kStop.name) asking.stop();
+  if (ask == asks::kClosest.name) asking.closest();
+  if (ask == asks::kSign.name) asking.sign();
+  if (ask == asks::kFoot.name) asking.foot();
+}
+
+void closest_question(const Story& story, FrameText& text) {
+  const std::string& ask =
+      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const bool of_x = ask == asks::kClosestX.name;
+  const LessonShape& shape = of_x ? story.run.lesson.x() : story.run.lesson.y();
+  const LessonShape& other = of_x ? story.run.lesson.y() : story.run.lesson.x();
+  const std::vector<Eigen::Vector2d> points =
+      in_plane(of_x ? story.positioned.x().world : story.positioned.y().world);
+  const WideResult& result = story.trace.result;
+  const auto is_closest = [&](int vertex) {
+    return std::any_of(
+        result.simplex.vertices.begin(), result.simplex.vertices.begin() + result.simplex.count,
+        [&](const WideVertex& each) { return (of_x ? each.pair.x : each.pair.y) == vertex; });
+  };
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
+  const std::vector<int> hull = convex_hull(points);
+  const auto add = [&](int from, int to) {
+    const std::string& first = shape.vertex_names[static_cast<std::size_t>(from)];
+    asked.choices.push_back(from == to ? first
+                                       : first + shape.vertex_names[static_cast<std::size_t>(to)]);
+    asked.spots.push_back(Spot{ViewKind::world, points[static_cast<std::size_t>(from)],
+                               points[static_cast<std::size_t>(to)]});
+    if (is_closest(from) && is_closest(to)) asked.answer = asked.choices.back();
+  };
+  for (const int vertex : hull) add(vertex, vertex);
+  for (std::size_t i = 0; i < (hull.size() > 2 ? hull.size() : hull.size() - 1); ++i)
+    add(std::min(hull[i], hull[(i + 1) % hull.size()]),
+        std::max(hull[i], hull[(i + 1) % hull.size()]));
+  const Eigen::Vector2d way =
+      in_plane(of_x ? result.y : result.x) - in_plane(of_x ? result.x : result.y);
+  asked.place = in_plane(of_x ? result.x : result.y) + shape.radius * way.normalized();
+  text.caption = fmt::format("Question: which point of {} is closest to {}? Point at it.",
+                             shape.name, other.name);
 }
 
 }  // namespace gjkscope::captions

@@ -119,6 +119,8 @@ void add(const Story& story, FrameText& text);
 
 void direction_rules(const Story& story, FrameText& text);
 
+/// The closest point of X or of Y: its vertices and edges to choose from, in the world.
+void closest_question(const Story& story, FrameText& text);
 /// The question of a frame that asks one, what there is to choose from, and the answer.
 void question(const Story& story, FrameText& text);
 

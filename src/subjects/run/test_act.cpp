@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 
 #include "run/facts.hpp"
@@ -7,7 +9,8 @@
 namespace gjkscope::acts {
 namespace {
 
-constexpr std::array kTestAsks = {asks::kRegion};
+constexpr AskInfo kAskTest{"test", "whether a region's test is true", "of test"};
+constexpr std::array kTestAsks = {asks::kRegion, kAskTest};
 
 void test_frames(LessonRun& run, int index) {
   const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
@@ -20,6 +23,8 @@ int test_answer(const LessonRun& run, const Frame&, const Frame& frame,
                 const LessonQuestion& question) {
   const int regions = (1 << state_before(run.run(frame).trace, frame.step).simplex.count) - 1;
   const int tried = *tried_tests(run, frame);
+  if (question.ask == kAskTest.name)
+    return tried > 0 && tried < regions && question.at.value_or(tried) == tried ? frame.step : -1;
   const bool decides =
       tried > 0 && tried < regions && run.step(frame).record.region_tests[tried - 1].holds;
   return decides && question.ask == asks::kRegion.name ? frame.step : -1;
@@ -30,6 +35,19 @@ void test_knows(const Frame& frame, KnownFacts& facts) {
   facts.tests_reached = frame.part - 1;
   facts.closest_point = facts.tests_reached >= 0 &&
                         facts.region_tests[static_cast<std::size_t>(facts.tests_reached)].holds;
+}
+
+void test_question(const Story& story, FrameText& text) {
+  const LessonQuestion& question =
+      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)];
+  if (question.ask != kAskTest.name) return captions::question(story, text);
+  const gjk::RegionTest<double>& test =
+      story.trace.steps[static_cast<std::size_t>(story.frame.answering_step)]
+          .record.region_tests[static_cast<std::size_t>(*tried_tests(story.run, story.frame))];
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{question.ask, {"true", "false"}, {}});
+  asked.answer = test.holds ? "true" : "false";
+  text.caption = fmt::format("Question: next comes the test of region {}. Is it true?",
+                             story.words.face(test.region));
 }
 
 Tick test_tick(const LessonRun& run, const Frame& frame) {
@@ -56,6 +74,7 @@ const Act kTest{
     .tick = test_tick,
     .words = captions::step,
     .stage = layers::stage_step,
+    .question = test_question,
 };
 
 }  // namespace gjkscope::acts

@@ -10,6 +10,17 @@ using slab_proof::Phase;
 using slab_proof::Reach;
 using namespace sizes;
 
+void point(SceneBuilder& scene, const std::string& name, const Vector2d& at,
+           const Vector2d& other) {
+  const Point there = scene.at(at);
+  scene.disk("slab.point", there, kClosestRadius);
+  scene.out.moving_labels.push_back(scene.label("slab:" + name, name, "closest.label",
+                                                type::kVertex, there, kClosestRadius,
+                                                there - scene.at(other)));
+}
+
+}  // namespace
+
 void strip(SceneBuilder& scene, const Vector2d& x, const Vector2d& y) {
   const Vector2d way = y - x;
   std::vector<Vector2d> seen = scene.map.visible();
@@ -23,17 +34,6 @@ void strip(SceneBuilder& scene, const Vector2d& x, const Vector2d& y) {
   for (const Vector2d& point : {x, y})
     scene.line("slab.side", scene.at(point - along), scene.at(point + along));
 }
-
-void point(SceneBuilder& scene, const std::string& name, const Vector2d& at,
-           const Vector2d& other) {
-  const Point there = scene.at(at);
-  scene.disk("slab.point", there, kClosestRadius);
-  scene.out.moving_labels.push_back(scene.label("slab:" + name, name, "closest.label",
-                                                type::kVertex, there, kClosestRadius,
-                                                there - scene.at(other)));
-}
-
-}  // namespace
 
 void stage(SceneBuilder& scene) {
   const Shown& shown = shown_in<Shown>(scene);

@@ -41,6 +41,8 @@ extern const Listing kListing;
 
 // layers.cpp
 void stage(SceneBuilder& scene);
+/// The slab between two points, and its sides.
+void strip(SceneBuilder& scene, const Eigen::Vector2d& x, const Eigen::Vector2d& y);
 
 // words.cpp
 void words(const Story& story, FrameText& text);

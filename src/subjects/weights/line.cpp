@@ -32,6 +32,7 @@ void projection(SceneBuilder& scene) {
   scene.line("projection.axis", b, b + reach * along);
   const double height = (q - foot).norm();
   if (height < 1.0) return;  // Q itself
+  if (scene.frame.question >= 0 && scene.frame.step < 0) return;
   const bool is_p = shows_closest_point(scene) && gjk::vertex_count(scene.state.region) == 2;
   if (!is_p) scene.line("projection.line", q, foot);
   if (height > 2.0 * kAngleMark) {

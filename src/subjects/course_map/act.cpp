@@ -1,0 +1,232 @@
+// A map of the course: a picture for each chapter, and what each of them makes use of.
+
+#include "picture/act.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "picture/scene.hpp"
+#include "picture/story.hpp"
+#include "subjects/subjects.hpp"
+
+namespace gjkscope::maps_of_course {
+namespace {
+
+using Eigen::Vector2d;
+using namespace sizes;
+
+struct Chapter {
+  std::string_view title;  ///< As in assets/chapters.toml.
+  std::string_view caption;
+  std::string_view detail;
+};
+
+constexpr int kChapters = 7;
+constexpr int kColumns = 4;
+constexpr std::array<Chapter, kChapters> kCourse = {{
+    {"Point to segment", "Chapter 1: which point of a segment is closest to Q?",
+     "An end, or a point between: three regions, and two weights that tell which."},
+    {"Point to triangle", "Chapter 2: which point of a triangle is closest to Q?",
+     "Each edge is a segment, so chapter 1 is used three times. New: areas, and the inside."},
+    {"Point to polygon", "Chapter 3: which point of a convex polygon is closest to Q? This is GJK.",
+     "A triangle inside the polygon stands in for it, and is changed until it holds the answer."},
+    {"Polygon to polygon", "Chapter 4: which points of two convex polygons are closest?",
+     "Subtracted from each other they make one polygon, and Q becomes the origin O."},
+    {"Minkowski sums", "Chapter 5: what else the difference of two shapes tells.",
+     "Moving among obstacles, bounds that prove an answer, how deep shapes overlap."},
+    {"Numerics", "Chapter 6: what rounding does to all this.",
+     "Needles, shapes far away, shapes that touch: where programs answered wrongly, and why."},
+    {"Features and general models", "Chapter 7: shapes that move, and shapes that are not convex.",
+     "Walking from feature to feature, cutting into convex pieces, trees of boxes and circles."},
+}};
+
+constexpr double kWidth = 3.6;
+constexpr double kHeight = 2.3;
+constexpr double kBetween = 0.9;
+constexpr double kBelow = 0.85;  // for the title
+
+/// Lower left corner of a chapter's picture.
+Vector2d corner(int chapter) {
+  return {(chapter % kColumns) * (kWidth + kBetween), -(chapter / kColumns) * (kHeight + kBelow)};
+}
+
+/// The chapters that are told by a frame.
+int told(const Frame& frame) { return frame.part; }
+
+void frames(LessonRun& run, int index) {
+  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  for (int i = 0; i <= kChapters; ++i)
+    run.frames.push_back({.run = index, .step = last, .part = i});
+}
+
+void knows(const Frame&, KnownFacts& facts) { facts = {}; }
+
+Tick tick(const LessonRun&, const Frame& frame) {
+  const int chapter = told(frame);
+  if (chapter == 0) return {.group = "start"};
+  return {.group = chapter <= kColumns ? "GJK" : "beyond",
+          .label = fmt::format("chapter {}", chapter),
+          .short_label = std::to_string(chapter)};
+}
+
+constexpr AskInfo kAskUses{"uses", "the solved problem that a new one makes use of", "of chapter"};
+constexpr std::array kAsks = {kAskUses};
+
+int answering_step(const LessonRun&, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const int chapter = told(frame);
+  return chapter >= 3 && chapter <= kColumns && question.at.value_or(chapter) == chapter
+             ? frame.step
+             : -1;
+}
+
+void question(const Story& story, FrameText& text) {
+  const int next = told(story.frame) + 1;
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskUses.name), {}, {}});
+  for (int i = 0; i + 1 < next; ++i) {
+    const Vector2d middle = corner(i) + 0.5 * Vector2d(kWidth, kHeight);
+    const Vector2d half(0.5 * (kWidth - kHeight), 0.0);
+    asked.choices.emplace_back(kCourse[static_cast<std::size_t>(i)].title);
+    asked.spots.push_back(Spot{ViewKind::world, middle - half, middle + half, 0.5 * kHeight});
+  }
+  asked.answer = asked.choices.back();
+  text.caption = next == kColumns
+                     ? "Question: two polygons, any of their points. Which solved problem can this "
+                       "become?"
+                     : "Question: a polygon of 100 corners. Which solved problem is of use, again "
+                       "and again?";
+}
+
+void words(const Story& story, FrameText& text) {
+  const int chapter = told(story.frame);
+  if (chapter == 0) {
+    text.caption = "The way of this course: each problem makes use of the one before.";
+    text.detail =
+        "Its goal is GJK, named after Gilbert, Johnson and Keerthi, who published it in 1988. It "
+        "follows Catto (2010) and Larsen (1998).";
+    return;
+  }
+  const Chapter& told = kCourse[static_cast<std::size_t>(chapter) - 1];
+  text.caption = told.caption;
+  text.detail = told.detail;
+}
+
+void values(const Story& story, FrameText& text) {
+  text.values.emplace_back("x", story.run.lesson.x().name);
+  text.values.emplace_back("y", story.run.lesson.y().name);
+}
+
+/// Draws in the lower left corner of a chapter's picture.
+struct Tile {
+  SceneBuilder& scene;
+  Vector2d origin;
+  [[nodiscard]] Point at(double x, double y) const {
+    return scene.at(Vector2d(origin + Vector2d(x, y)));
+  }
+  void shape(const std::string& role, const std::vector<Vector2d>& corners) const {
+    std::vector<Point> points;
+    for (const Vector2d& each : corners) points.push_back(at(each.x(), each.y()));
+    scene.area(role, points);
+  }
+  void way(double x0, double y0, double x1, double y1) const {
+    scene.line("closest.line", at(x0, y0), at(x1, y1));
+    scene.disk("closest", at(x1, y1), kClosestRadius);
+  }
+  void query(double x, double y) const { scene.cross("query", at(x, y), kPointRadius); }
+};
+
+void picture(SceneBuilder& scene, int chapter) {
+  const Tile tile{scene, corner(chapter)};
+  switch (chapter) {
+    case 0:
+      scene.line("shape", tile.at(0.6, 0.5), tile.at(3.0, 0.9));
+      tile.way(1.4, 1.9, 1.607, 0.668);
+      return tile.query(1.4, 1.9);
+    case 1:
+      tile.shape("shape", {{0.4, 0.4}, {2.2, 0.4}, {1.3, 1.9}});
+      tile.way(2.9, 1.7, 1.858, 0.97);
+      return tile.query(2.9, 1.7);
+    case 2:
+      tile.shape("shape", {{0.3, 0.9}, {1.0, 0.3}, {2.0, 0.4}, {2.3, 1.1}, {1.6, 1.9}, {0.7, 1.8}});
+      tile.shape("simplex", {{0.3, 0.9}, {2.3, 1.1}, {1.6, 1.9}});
+      tile.way(3.0, 2.0, 2.116, 1.31);
+      return tile.query(3.0, 2.0);
+    case 4:
+      tile.shape("hull", {{0.5, 1.0}, {1.2, 0.4}, {2.5, 0.4}, {3.0, 1.1}, {2.4, 1.9}, {1.1, 1.9}});
+      scene.cross("origin", tile.at(1.5, 1.0), kOriginRadius);
+      return;
+    case 5:
+      tile.shape("shape", {{0.3, 1.0}, {3.2, 1.06}, {0.35, 1.12}});
+      scene.line("rounded.x", tile.at(0.3, 1.35), tile.at(3.3, 1.45));
+      return tile.way(2.0, 1.75, 2.02, 1.1);
+    case 6: {
+      const std::vector<Vector2d> corners = {{0.4, 0.3}, {3.0, 0.3}, {3.0, 1.9}, {2.4, 1.9},
+                                             {2.4, 0.9}, {1.0, 0.9}, {1.0, 1.9}, {0.4, 1.9}};
+      std::vector<Point> points;
+      for (const Vector2d& each : corners) points.push_back(tile.at(each.x(), each.y()));
+      scene.add("path.end", Polyline{points, true});
+      tile.shape("shape.y", {{1.4, 1.4}, {2.0, 1.3}, {1.8, 1.9}});
+      return tile.way(2.0, 1.3, 2.0, 0.9);
+    }
+    default:  // the lesson's own shapes
+      return;
+  }
+}
+
+void stage(SceneBuilder& scene) {
+  const int current = told(scene.frame);
+  for (int i = 0; i < kChapters; ++i) {
+    const Vector2d low = corner(i);
+    const Vector2d high = low + Vector2d(kWidth, kHeight);
+    const Rect box{{scene.at(low).x(), scene.at(high).y()},
+                   {scene.at(high).x(), scene.at(low).y()}};
+    const bool is_current = i + 1 == current && scene.frame.question < 0;
+    scene.add(is_current ? "map.tile.current" : "map.tile", Box{box, 8.0});
+    if (i > 0 && i < kColumns && i < current) {
+      const Point from(box.min.x() - 4.0, box.center().y());
+      const double gap = scene.map.scale() * kBetween;
+      scene.arrow("map.uses", from, from - Point(gap - 8.0, 0.0));
+    }
+    scene.out.marks.push_back(
+        {"map.title", Text{{box.min.x() + 2.0, box.max.y() + 20.0},
+                           fmt::format("{}  {}", i + 1, kCourse[static_cast<std::size_t>(i)].title),
+                           is_current ? type::kStrong : type::kText}});
+    picture(scene, i);
+  }
+  const WideResult& result = scene.positioned.trace.result;
+  scene.line("closest.line", scene.at(result.x), scene.at(result.y));
+  for (const Eigen::Vector3d& point : {result.x, result.y})
+    scene.disk("closest", scene.at(point), kClosestRadius);
+}
+
+const Act kAct{
+    .name = "course-map",
+    .meaning = "chapter on a map of the course; the shapes make the picture of chapter 4",
+    .needs = {.path = PathUse::refused,
+              .most_vertices = 8,
+              .why_no_until = "frames go through the chapters"},
+    .add_frames = frames,
+    .asks = kAsks,
+    .answering_step = answering_step,
+    .algorithm = &kGjkAlgorithm,
+    .knows = knows,
+    .position = position_in_lesson,
+    .tick = tick,
+    .words = words,
+    .stage = stage,
+    .question = question,
+    .values = values,
+};
+
+}  // namespace
+}  // namespace gjkscope::maps_of_course
+
+namespace gjkscope {
+
+const SubjectParts subjects::course_map{
+    .acts = {&maps_of_course::kAct},
+    .legend = {{"map.uses", "makes use of"}},
+};
+
+}  // namespace gjkscope
