@@ -74,7 +74,7 @@ models::Outline hull_of(std::vector<Vector2d> points) {
   return {std::move(hull)};
 }
 
-/// What a method needs of outlines that have this fault.
+/// The need of a method that outlines with this fault do not meet.
 std::string_view expected_of(models::Needs needs, models::Fault fault) {
   if (needs == models::Needs::convex) return "one convex outline";
   if (needs == models::Needs::simple)

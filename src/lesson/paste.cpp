@@ -21,7 +21,7 @@ using std::string_view;
 
 constexpr std::size_t kNowhere = string_view::npos;
 
-/// What ends the reading of a text.
+/// The flaw that ends the reading of a text.
 struct Stop {
   std::size_t at;
   std::string what;
@@ -32,7 +32,7 @@ struct Stop {
 [[nodiscard]] bool is_hex_digit(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
-/// Of a name; all characters beyond ASCII are.
+/// Part of a name; all characters beyond ASCII are.
 [[nodiscard]] bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' ||
          (c & 0x80) != 0;
@@ -50,7 +50,7 @@ template <std::size_t N>
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// What turns a number into one.
+/// Types and functions that leave a number as it is.
 constexpr std::array<string_view, 14> kCasts = {
     "float",    "double", "float32", "float64",  "btscalar", "static_cast", "decimal",
     "ccd_real", "scalar", "real",    "fcl_real", "f32",      "f64",         "number"};
@@ -184,7 +184,7 @@ class LineReader {
 
   [[nodiscard]] std::size_t end() const { return std::min(at_, text_.size()); }
 
-  /// Of a word that holds a number and nothing else.
+  /// The number of a word that holds nothing else.
   static double number(const std::pair<string_view, std::size_t>& field) {
     const auto& [word, place] = field;
     std::size_t at = 0;
@@ -197,7 +197,7 @@ class LineReader {
     throw Stop{place, fmt::format("'{}' is no number", word), "a number"};
   }
 
-  /// Of the words from `first` on; `more` counts those that may follow three coordinates.
+  /// The point of the words from `first` on; `more` words may follow three coordinates.
   static PointAt point(const Fields& fields, std::size_t first, std::size_t more) {
     const std::size_t count = fields.size() - first;
     if (count < 3 || count > 3 + more)
@@ -299,13 +299,13 @@ struct Number {
   double value = 0.0;
   std::size_t at = 0;
   int axis = -1;        ///< 0 to 2 where it is called x, y or z.
-  unsigned before = 0;  ///< What stands between it and the number before it.
+  unsigned before = 0;  ///< Signs between it and the number before it.
 };
 constexpr unsigned kComma = 1;
 constexpr unsigned kNewLine = 2;
 constexpr unsigned kSemicolon = 4;
 
-/// What stands in brackets, or the text itself; in the end it is numbers, points or lists.
+/// A pair of brackets, or the text itself; in the end it holds numbers, points or lists.
 struct List {
   std::size_t at = 0;
   char open = 0;             ///< The bracket; 0: the text.
@@ -313,21 +313,21 @@ struct List {
   std::string name;          ///< "a" of a[0] = ..., and of a.push_back(...).
   bool is_geo_json = false;  ///< Its kind is a member `type`.
   bool is_run = false;       ///< Points that stand one after the other in a list.
-  int lines = 0;             ///< Of a run, in which it has points.
+  int lines = 0;             ///< A run has points in so many.
   int last_line = -1;
   std::size_t second_line = 0;  ///< The first point there.
   std::vector<Number> numbers;
   std::vector<PointAt> points;
   std::vector<List> lists;
   // While it is read:
-  std::size_t stray = kNowhere;  ///< What is no number, nor has a place among numbers.
+  std::size_t stray = kNowhere;  ///< The first thing with no place among numbers.
   string_view word;              ///< That may name what follows,
   string_view label;             ///< and a word that does: before '=' or ':'.
   unsigned before = 0;
-  bool is_counting = false;  ///< [f64; 2]
-  bool has_break = false;    ///< A heading or an empty line, after which the next shape begins.
-  int words = 0;             ///< Of the line, and what else stands there
-  bool line_has_items = false;
+  bool is_counting = false;     ///< [f64; 2]
+  bool has_break = false;       ///< A heading or an empty line, after which the next shape begins.
+  int words = 0;                ///< In this line, and whether
+  bool line_has_items = false;  ///< brackets or numbers stand there.
 };
 
 /// `kind` of a list without the path to it: "vector3" of THREE.Vector3, "point2" of Point2::new.
@@ -471,7 +471,7 @@ class FreeReader {
     return open == '(' ? ')' : open == '[' ? ']' : '}';
   }
 
-  /// Of the text itself: numbers in a line of their own are a point.
+  /// Numbers in a line of their own are a point of the text itself.
   void end_line(List& all) {
     if (all.numbers.empty()) {
       if (!all.line_has_items) all.has_break = true;
@@ -525,7 +525,7 @@ class FreeReader {
     ++at_;
   }
 
-  /// What follows is called so, unless it is left out.
+  /// Names the next thing, or leaves it out.
   void take_label(List& list, string_view label) {
     list.label = label;
     list.word = {};
@@ -762,7 +762,8 @@ class FreeReader {
                                      [](const Number& each) { return each.axis >= 0; });
     if (static_cast<std::size_t>(named) == count || (named > 0 && list.open != 0))
       return add_named_point(list);
-    // What separates points: semicolons; commas, or what is none, where there are both; new lines.
+    // Points are separated by semicolons; by commas, or by what is none, where there are both; or
+    // by new lines.
     const auto separates = [&](std::size_t i, std::size_t rule) {
       const unsigned before = numbers[i].before;
       return rule == 0   ? (before & kSemicolon) != 0

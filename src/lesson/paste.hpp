@@ -6,7 +6,7 @@
 //   lists in code      b2Vec2 a[] = {{0, 0}, {1, 0}};  np.array([[0, 0], [1, 0]])
 //   columns            two or three numbers a line; an empty line or a heading between X and Y
 //
-// Where the text is free in form, brackets group: two or three numbers are a point, a list of
+// In a text that is free in form brackets group: two or three numbers are a point, a list of
 // points is a shape. Points that are named one by one (v[0], v[1]) are of one shape where their
 // names differ in the number alone. A number keeps its digits: suffixes (1f, 1.0F, 2.5f64) say
 // nothing more, digits may be grouped (1_000.5), 0x begins hexadecimal digits (0x1.8p3, 0x10).
@@ -31,7 +31,7 @@ struct PastedPart {
 
 struct PastedShape {
   std::string file;
-  Place place;         ///< Of its first point,
+  Place place;         ///< That of its first point,
   std::size_t at = 0;  ///< as an index of the text, too.
   int dimension = 2;
   std::vector<Eigen::Vector3d> points;  ///< Never empty; z = 0 in the plane.
@@ -43,7 +43,7 @@ struct Pasted {
   std::vector<PastedShape> shapes;    ///< At most two, of one dimension.
   std::vector<std::string> left_out;  ///< "properties": what the text says beside its shapes.
   std::vector<Problem> problems;      ///< The first one; then there are no shapes.
-  Place end;                          ///< Of the text.
+  Place end;                          ///< The end of the text.
 };
 /// Whether files in these forms end so: ".wkt", ".txt".
 [[nodiscard]] bool is_pasted_ending(std::string_view ending);

@@ -288,7 +288,7 @@ TEST(Paste, AHoleIsOneByItsPlaceHoweverItTurns) {
 
 TEST(Paste, OneShapeMayBeAnOutlineAndTheOtherPoints) {
   const std::string outline = "[[[0,0],[4,0],[4,4],[2,1],[0,4]]]";
-  // Of points the hull counts, beside an outline, too.
+  // The hull of points counts, beside an outline, too.
   for (const std::string& text :
        {R"({"outlines_a":)" + outline + R"(,"b":[[1.9,3],[2.1,3],[2,3.5],[2,3.1]]})",
         R"({"b":[[2,3],[2,3]],"outlines_a":)" + outline + "}"}) {
