@@ -608,6 +608,7 @@ class FreeReader {
     number.value = read_number(text_, at_);
     const std::size_t next = text_.find_first_not_of(" \t", at_);
     if (next != kNowhere && text_[next] == ':' && !text_.substr(next).starts_with("::")) {
+      list.has_break = list.has_break || list.open == 0;
       at_ = next + 1;  // a key
       return;
     }
@@ -852,8 +853,8 @@ class FreeReader {
       }
     } else if (!parent.lists.empty() && parent.lists.back().is_run && !parent.has_break) {
       List& last = parent.lists.back();
-      const bool is_other =
-          parent.open == 0 && last.name.empty() && base_of(last.kind) != base_of(kind);
+      const bool is_other = parent.open == 0 && last.name.empty() && !kind.empty() &&
+                            base_of(last.kind) != base_of(kind);
       if (!is_other) run = &last;
     }
     if (run == nullptr) {

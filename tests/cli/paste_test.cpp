@@ -178,6 +178,8 @@ var b = new List<Vector2> { new Vector2(3f, 3f), new(4f, 3.5f), new(5f, 3f) };
      "Polygon A:\n0.0 0.0\n1.0 0.0\n0.5 0.866\nPolygon B:\n2.0\t0.0\n3.0\t0.0\n",
      "X has 3 vertices, Y 2, in the plane"},
     {"CSV", "x,y\n0,0\n1,0\n0,1\n\nx,y\n3,3\n4,3\n", "X has 3 vertices, Y 2, in the plane"},
+    {"numbered shapes", "Triangle 1: (0,0), (1,0), (0,1)\nTriangle 2:\n(3,3), (4,3)\n",
+     "X has 3 vertices, Y 2, in the plane"},
     {"points in two lines", "(0,0) (1,0) (1,1)\n(3,3) (4,3) (4,4)\n",
      "X has 3 vertices, Y 3, in the plane"},
     {"a program in C", R"(int main() {
