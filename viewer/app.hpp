@@ -273,6 +273,7 @@ class App {
     std::vector<Problem> problems;
     std::size_t cases = 0;  ///< How many the text holds.
     std::optional<NotedCase> noted = {};
+    std::string understood = {};
   };
   /// In whatever thread.
   [[nodiscard]] ReadLesson read_lesson(std::string_view text,
@@ -286,7 +287,7 @@ class App {
   void open_beside(const std::filesystem::path& file);
   void end_opening();
   void work_beside();
-  void open_pasted(const std::string& text);
+  void open_pasted(const std::string& text, const std::string& name = "pasted");
   void save_case_to(const std::filesystem::path& file);
   /// Whether this is a lesson of the course, or still the same as one.
   [[nodiscard]] bool is_of_course(const std::filesystem::path& file) const;

@@ -94,7 +94,8 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) c
         fmt::format(" Z has {} differences: of its outline only what the run finds is drawn.",
                     grouped(static_cast<double>(pairs)));
   }
-  return {std::move(lesson), {}, cases.size(), NotedCase{*first.value, first.notes}};
+  return {
+      std::move(lesson), {}, cases.size(), NotedCase{*first.value, first.notes}, first.understood};
 }
 
 void App::note(std::optional<NotedCase> noted) {
@@ -104,27 +105,28 @@ void App::note(std::optional<NotedCase> noted) {
   if (noted_cases_.size() > kMostNoted) noted_cases_.pop_back();
 }
 
-void App::open_pasted(const std::string& text) {
+void App::open_pasted(const std::string& text, const std::string& name) {
   // A lesson's text is one, too.
   LoadedLesson loaded = parse_lesson(text, "pasted.toml", vocabulary());
   if (loaded.lesson) {
     loaded.lesson->path.clear();
-    (void)show(*std::move(loaded.lesson), {}, "pasted", true);
+    (void)show(*std::move(loaded.lesson), {}, name, true);
     return;
   }
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   const bool is_json = begin != std::string::npos && (text[begin] == '{' || text[begin] == '[');
-  if (!is_json) {
+  if (!is_json && text.find_first_of("0123456789") == std::string::npos) {
     return say(begin == std::string::npos ? "there is no text to paste"
                                           : "what was pasted is no case; a case looks like "
                                             R"({"a": [[0, 0], [1, 0]], "b": [[3, 1], [4, 2]]})",
                true);
   }
-  ReadLesson read = read_case(text, "pasted");
+  ReadLesson read = read_case(text, name);
   if (!read.lesson) return say(read.problems);
   note(std::move(read.noted));
-  if (show(*std::move(read.lesson), {}, "pasted", true) && read.cases > 1)
-    say(fmt::format("the first of {} cases", read.cases));
+  if (!show(*std::move(read.lesson), {}, name, true)) return;
+  if (read.cases > 1) say(fmt::format("the first of {} cases", read.cases));
+  if (!read.understood.empty()) say(read.understood);
 }
 
 std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) const {

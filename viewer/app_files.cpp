@@ -16,6 +16,7 @@
 #include "files.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
+#include "lesson/paste.hpp"
 #include "lesson/save.hpp"
 #include "session/edit.hpp"
 #include "subjects/subjects.hpp"
@@ -85,6 +86,8 @@ void App::open_path(const fs::path& path) {
       }
     } else if (path.extension() == ".toml") {
       open_lesson(path);
+    } else if (is_pasted_ending(path.extension().string())) {
+      open_pasted(read_whole(path), path.string());
     } else {
       open_exported(path);
     }

@@ -15,6 +15,7 @@
 #include "drawers/shapes.hpp"
 #include "drawers/values.hpp"
 #include "lesson/names.hpp"
+#include "lesson/paste.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
@@ -89,7 +90,8 @@ struct Open {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
       const fs::path& each = entry.path();
       app.will_show(each.string());
-      const bool wanted = each.extension() == ".toml" || each.extension() == ".json";
+      const std::string ending = each.extension().string();
+      const bool wanted = ending == ".toml" || ending == ".json" || is_pasted_ending(ending);
       if (entry.is_directory(none) || wanted) entries.push_back(each);
     }
     std::sort(entries.begin(), entries.end());

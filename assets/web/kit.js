@@ -53,7 +53,11 @@ function setRandomPair() {
 }
 
 async function showCase(text, name) {
-  if (await act({ do: "case", text, name }, { about: $("case") })) $("stage").scrollIntoView({ block: "nearest" });
+  const next = await act({ do: "case", text, name }, { about: $("case") });
+  if (!next) return;
+  const hint = $("hint").classList.contains("note") ? $("hint").textContent : "";
+  if (next.understood) tell(`${next.understood}. ${hint}`);
+  $("stage").scrollIntoView({ block: "nearest" });
 }
 
 async function readFile(file) {

@@ -36,7 +36,7 @@ function tell(note) {
 }
 
 /**
- * Asks the program, and shows what it answers. False when that is a problem, or nothing: a newer request took the
+ * Asks the program, and shows what it answers, which it returns. False when that is a problem, or nothing: a newer request took the
  * place of this one, or it was given up.
  */
 async function act(request, { moves = false, about } = {}) {
@@ -49,7 +49,7 @@ async function act(request, { moves = false, about } = {}) {
   givenUp = 0;
   say("");
   show(next, moves);
-  return true;
+  return next;
 }
 
 /** Puts a picture into its place, which knows it; what it says becomes its name. */

@@ -69,10 +69,10 @@ gjk::Error error_of(const ReadCase& read) {
 
 /// Those of reading, and queries that a run in double refuses. Outlines are asked about by trees,
 /// which take all of them.
-std::vector<Problem> problems_of_cases(std::string_view text, const std::string& file) {
+std::vector<Problem> problems_of_cases(const std::vector<ReadCase>& cases,
+                                       const std::string& file) {
   std::vector<Problem> problems;
-  for (const ReadCase& read :
-       parse_cases(text, file, gjk::kMaxDimension, needs_of(ModelMethod::boxes))) {
+  for (const ReadCase& read : cases) {
     problems.insert(problems.end(), read.problems.begin(), read.problems.end());
     if (!read.problems.empty()) continue;
     const gjk::Error error = error_of(read);
@@ -242,10 +242,6 @@ int open_command(const Environment& env, const std::string& file, bool json) {
 
 namespace {
 
-[[nodiscard]] bool is_case_file(const std::string& name) {
-  return name == "-" || fs::path(name).extension() == ".json";
-}
-
 /// kProblem where a run was refused, which is said.
 int say_refused(const Environment& env, const std::string& name,
                 const std::vector<PositionedRun>& runs) {
@@ -311,12 +307,20 @@ int check_command(const Environment& env, const std::vector<std::string>& files)
   std::size_t problem_count = 0;
   std::size_t bad_files = 0;
   bool unknown = false;
-  for (const std::string& name : files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string& name = files[i];
     std::vector<Problem> problems;
     if (is_case_file(name)) {
-      const std::optional<std::string> text = read_text(env, name);
-      if (text) problems = problems_of_cases(*text, name == "-" ? "<stdin>" : name);
-      unknown = unknown || !text;
+      const std::optional<CasesOfFiles> found =
+          read_cases(env, files, i, needs_of(ModelMethod::boxes));
+      if (found) {
+        problems = problems_of_cases(found->cases, name == "-" ? "<stdin>" : name);
+        const ReadCase& first = found->cases.front();
+        if (!first.understood.empty())
+          env.out << fmt::format("{}: {}\n", first.name, first.understood);
+        i += found->files - 1;
+      }
+      unknown = unknown || !found;
     } else if (const std::optional<fs::path> file = lesson_file(env, name); file) {
       LoadedLesson loaded = load_lesson(*file, vocabulary());
       problems = std::move(loaded.problems);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/file.hpp"
+#include "lesson/paste.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -100,6 +101,32 @@ std::optional<std::string> read_text(const Environment& env, const std::string& 
     env.err << fmt::format("gjkscope: {}\n", error.what());
     return std::nullopt;
   }
+}
+
+bool is_case_file(const std::string& name) {
+  const std::string ending = fs::path(name).extension().string();
+  return name == "-" || ending == ".json" || is_pasted_ending(ending);
+}
+
+std::optional<CasesOfFiles> read_cases(const Environment& env,
+                                       const std::vector<std::string>& files, std::size_t first,
+                                       models::Needs needs) {
+  const auto named = [](const std::string& file) { return file == "-" ? "<stdin>" : file; };
+  const std::string& file = files[first];
+  std::optional<std::string> text = read_text(env, file);
+  if (!text) return std::nullopt;
+  CasesOfFiles read{parse_cases(*text, named(file), gjk::kMaxDimension, needs)};
+  std::error_code none;
+  if (read.cases.front().has_one_shape && first + 1 < files.size() &&
+      fs::is_regular_file(files[first + 1], none)) {
+    const std::string& next = files[first + 1];
+    std::optional<std::string> second = read_text(env, next);
+    if (!second) return read;
+    if (auto both = paired_case({named(file), *std::move(text)}, {next, *std::move(second)},
+                                gjk::kMaxDimension, needs))
+      return CasesOfFiles{{*std::move(both)}, 2};
+  }
+  return read;
 }
 
 bool flushed(const Environment& env) {

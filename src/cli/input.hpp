@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "lesson/case.hpp"
 #include "lesson/load.hpp"
 
 namespace gjkscope {
@@ -35,6 +36,19 @@ struct FoundLessons {
 
 /// A whole file, or standard input for "-"; nothing when it cannot be read.
 [[nodiscard]] std::optional<std::string> read_text(const Environment& env, const std::string& file);
+
+/// Whether `name` is a file of shapes, by its ending, or "-".
+[[nodiscard]] bool is_case_file(const std::string& name);
+
+/// The cases of files[first]; where that holds one shape, and so does the next file, those of both.
+struct CasesOfFiles {
+  std::vector<ReadCase> cases;
+  std::size_t files = 1;  ///< How many were read.
+};
+/// Nothing, with a message on `env.err`, when the file cannot be read.
+[[nodiscard]] std::optional<CasesOfFiles> read_cases(const Environment& env,
+                                                     const std::vector<std::string>& files,
+                                                     std::size_t first, models::Needs needs);
 
 /// Whether the output arrived: false, with a message on `env.err`, when the disk is full or the
 /// like.

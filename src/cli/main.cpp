@@ -222,7 +222,8 @@ void add_commands(CLI::App& app, Arguments& args) {
       ->type_name("brute|pieces|boxes|circles|lin-canny");
   add_json(solve);
   solve->footer(
-      "A case is {\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two sets of points, "
+      "A case is JSON, or shapes as people have them (below):\n"
+      "{\"dimension\":2, \"a\":[[x,y],...], \"b\":[[x,y],...]}: two sets of points, "
       "of which\n"
       "gjkscope takes the convex hulls. With \"dimension\":3 points are [x,y,z]; 2 may be left "
       "out. "
@@ -236,17 +237,28 @@ void add_commands(CLI::App& app, Arguments& args) {
       "Outlines, which need not be convex, are\n"
       "{\"outlines_a\":[[[x,y],...],...], \"outlines_b\":...}. An outline is closed; one that "
       "turns\n"
-      "clockwise within another is a hole; {\"open\":[...]} is an open chain. Answers: distance "
-      "and\n"
+      "clockwise within another is a hole; {\"open\":[...]} is an open chain. Beside outlines,\n"
+      "points are their hull. Answers: distance and\n"
       "overlap, which are exact, the closest points a and b, the features they lie on (vertex or\n"
       "segment, with outline and index), and visits: pairs that the method looked at. pieces "
       "needs\n"
       "closed outlines that do not meet, lin-canny one convex outline of each shape.\n\n"
-      "Examples:\n  gjkscope solve case.json --scalar exact\n"
+      "In other forms a text holds one case, X and then Y; so do two files with one "
+      "shape each:\n"
+      "  WKT, GeoJSON        POLYGON ((0 0, 4 0, 4 4, 0 0)) POINT (5 5); concave "
+      "rings, holes\n                      and lines are outlines\n"
+      "  OBJ, OFF, STL       vertices of polyhedra, faces are not read; STL as text\n"
+      "  lists in code       {{1,2},{3,4}}, np.array([[1,2]]), in most languages\n"
+      "  points in code      b2Vec2(1, 2), new Vector3(1f, 2f, 3f), a[0].Set(1, 2)\n"
+      "  columns of numbers  two or three a line; an empty line or a heading before Y\n"
+      "Answers say what was understood: \"X has 4 vertices, Y 5, in the plane\".\n\n"
+      "Examples:\n  gjkscope solve case.json --scalar exact\n  gjkscope solve x.obj y.obj\n"
       "  echo '{\"a\":[[0,0]],\"b\":[[3,4]]}' | gjkscope solve -\n");
 
   CLI::App* check = app.add_subcommand("check", "Check lessons, and what they expect; and cases");
-  check->add_option("file", args.files, "Ids or files of lessons, files of cases (.json), or -")
+  check
+      ->add_option("file", args.files,
+                   "Ids or files of lessons, files of cases (.json, .wkt, .obj, .txt, ...), or -")
       ->required();
   check->footer(
       "Cases are what `gjkscope solve` reads, outlines included: check says what cannot be read, "

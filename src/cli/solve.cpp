@@ -151,6 +151,7 @@ Json solve(const ReadCase& read, const CaseOptions& options) {
   const ScalarKind scalar = options.scalar;
   Json answer;
   answer["case"] = read.name;
+  if (!read.understood.empty()) answer["understood"] = read.understood;
   if (read.outlines) {
     answer["method"] = name_of(options.method);
     return solve(*read.outlines, options.method, std::move(answer));
@@ -182,15 +183,14 @@ models::Needs needs_of(ModelMethod method) {
 int solve_command(const Environment& env, const std::vector<std::string>& files,
                   const CaseOptions& options) {
   int exit_code = kDone;
-  for (const std::string& file : files) {
-    const std::optional<std::string> text = read_text(env, file);
-    if (!text) {
+  for (std::size_t i = 0; i < files.size();) {
+    const std::optional<CasesOfFiles> found = read_cases(env, files, i, needs_of(options.method));
+    i += found ? found->files : 1;
+    if (!found) {
       exit_code = kCannot;
       continue;
     }
-    const std::string name = file == "-" ? "<stdin>" : file;
-    for (const ReadCase& read :
-         parse_cases(*text, name, gjk::kMaxDimension, needs_of(options.method))) {
+    for (const ReadCase& read : found->cases) {
       for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
       const Json answer = solve(read, options);
       if (read.problems.empty() && answer.contains("error")) {

@@ -9,7 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
+#include "lesson/json_text.hpp"
+#include "lesson/paste.hpp"
 #include "lesson/schema.hpp"
+#include "outlines/nearest.hpp"
 
 namespace gjkscope {
 namespace {
@@ -22,41 +25,6 @@ constexpr std::size_t kListedProblems = 20;
 
 /// After so many values that are not JSON a text is read no further.
 constexpr int kMostBroken = 100;
-
-[[nodiscard]] bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-[[nodiscard]] std::size_t skip_space(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_space(text[at])) ++at;
-  return at;
-}
-
-/// One past the string that begins at `at`.
-[[nodiscard]] std::size_t skip_string(std::string_view text, std::size_t at) {
-  for (++at; at < text.size() && text[at] != '"'; ++at) {
-    if (text[at] == '\\') ++at;
-  }
-  return std::min(at + 1, text.size());
-}
-
-/// One past the value that begins at `at`, which need not be well-formed.
-[[nodiscard]] std::size_t skip_value(std::string_view text, std::size_t at) {
-  int depth = 0;
-  while (at < text.size()) {
-    const char c = text[at];
-    if (c == '"') {
-      at = skip_string(text, at);
-      if (depth == 0) return at;
-      continue;
-    }
-    if (c == '{' || c == '[') ++depth;
-    if (c == '}' || c == ']') {
-      if (--depth <= 0) return depth < 0 ? at : at + 1;
-    }
-    if (depth == 0 && (is_space(c) || c == ',')) return at;
-    ++at;
-  }
-  return at;
-}
 
 /// Where the value at `path` (keys and indices) begins in a well-formed text.
 [[nodiscard]] std::size_t find_value(std::string_view text, std::size_t at,
@@ -86,6 +54,34 @@ constexpr int kMostBroken = 100;
 
 /// Keys and indices.
 using Path = std::vector<std::string>;
+
+/// The outline around points, exactly (Andrew 1979, monotone chain): what a set of points is beside
+/// outlines. At least two points, of which both may be the same.
+models::Outline hull_of(std::vector<Vector2d> points) {
+  std::sort(points.begin(), points.end(), models::before);
+  std::vector<Vector2d> hull;
+  for (int way = 0; way < 2; ++way) {
+    const std::size_t floor = std::max<std::size_t>(hull.size(), 1);
+    for (const Vector2d& point : points) {
+      while (hull.size() > floor && models::turn(hull[hull.size() - 2], hull.back(), point) <= 0)
+        hull.pop_back();
+      if (hull.empty() || hull.back() != point) hull.push_back(point);
+    }
+    std::reverse(points.begin(), points.end());
+  }
+  if (hull.size() > 2 && hull.front() == hull.back()) hull.pop_back();
+  if (hull.size() == 1) hull.push_back(hull.front());
+  return {std::move(hull)};
+}
+
+/// The need of a method that outlines with this fault do not meet.
+std::string_view expected_of(models::Needs needs, models::Fault fault) {
+  if (needs == models::Needs::convex) return "one convex outline";
+  if (needs == models::Needs::simple)
+    return "closed outlines that meet neither themselves nor each other, for this method";
+  return fault == models::Fault::open_chain ? "closed outlines: chains are not traced"
+                                            : "outlines of at least two finite points";
+}
 
 class CaseReader {
  public:
@@ -312,9 +308,15 @@ class CaseReader {
   }
 
   void read_models(const json& value, std::size_t at, ReadCase& out) const {
+    const auto read_one = [&](const char* outlines, const char* points) {
+      if (value.contains(outlines) || !value.contains(points))
+        return read_outlines(value, outlines, at, out);
+      std::vector<Vector2d> read = read_points<2>(value, points, at, out);
+      return std::vector<models::Outline>{hull_of(std::move(read))};
+    };
     OutlineCase read;
-    read.a = read_outlines(value, "outlines_a", at, out);
-    read.b = read_outlines(value, "outlines_b", at, out);
+    read.a = read_one("outlines_a", "a");
+    read.b = read_one("outlines_b", "b");
     if (out.problems.empty()) out.outlines = std::move(read);
   }
 
@@ -372,11 +374,7 @@ class CaseReader {
       }
     }
     report(out, at, path, fmt::format("{}: {}{}", shown(path), models::name_of(flaw.fault), what),
-           *outlines_ == models::Needs::convex   ? "one convex outline"
-           : *outlines_ == models::Needs::simple ? "closed outlines that meet neither themselves "
-                                                   "nor each other, for this method"
-           : flaw.fault == models::Fault::open_chain ? "closed outlines: chains are not traced"
-                                                     : "outlines of at least two finite points");
+           expected_of(*outlines_, flaw.fault));
   }
 
   [[nodiscard]] static Path below(Path path, std::string key) {
@@ -471,6 +469,151 @@ LessonShape shape_of(const std::vector<models::Outline>& outlines, std::string n
   return shape;
 }
 
+// ---- pasted ----
+
+/// Whether a text shall be read as the JSON of cases: it has a key of such, or nothing else to
+/// read.
+bool is_json_case(std::string_view text) {
+  if (text.find_first_of("0123456789") == std::string_view::npos) return true;
+  std::size_t at = skip_space(text, text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  if (text[at] == '[') at = find_value(text, at, {"0"});
+  if (text[at] != '{' && text[at] != '[' && text[at] != '(')
+    return skip_space(text, skip_value(text, at)) == text.size();
+  for (const char* key : {"a", "b", "outlines_a", "outlines_b", "dimension"}) {
+    if (text[at] != '{') break;
+    const std::size_t found = find_value(text, at, {key});
+    // Shapes in a case may be in other forms.
+    if (found != at) return found == text.size() || (text[found] != '{' && text[found] != '"');
+  }
+  return false;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// "4 vertices", or "1 outline and 1 hole of 9 vertices"; `short_form`: "4".
+std::string told(const PastedShape& shape, bool as_outlines, bool short_form) {
+  const std::string vertices = short_form ? fmt::format("{}", shape.points.size())
+                                          : counted(shape.points.size(), "vertex", "vertices");
+  if (!as_outlines) return vertices;
+  std::array<std::size_t, 3> count = {};
+  for (const PastedPart& part : shape.parts) ++count[static_cast<std::size_t>(part.kind)];
+  const auto [rings, holes, chains] = count;
+  std::string out;
+  if (rings > 0) out = counted(rings, "outline", "outlines");
+  if (chains > 0) out = counted(chains, "open chain", "open chains");
+  if (holes > 0) out += " and " + counted(holes, "hole", "holes");
+  return out + " of " + vertices;
+}
+
+/// An outline that is its own hull, or so little that its points say all: points.
+bool is_its_hull(const PastedShape& shape) {
+  if (shape.parts.size() != 1) return shape.parts.empty();
+  if (shape.points.size() < 3) return true;
+  models::Outline outline;
+  for (const Eigen::Vector3d& point : shape.points) outline.points.push_back(point.head<2>());
+  return shape.parts[0].kind == PastedPart::Kind::ring && models::is_convex(outline);
+}
+
+template <int D>
+std::vector<gjk::Vec<double, D>> points_of(const PastedShape& shape) {
+  std::vector<gjk::Vec<double, D>> points;
+  for (std::size_t part = 0, i = 0; i < shape.points.size(); ++i) {
+    while (part + 1 < shape.parts.size() && shape.parts[part + 1].first <= i) ++part;
+    if (shape.parts.empty() || shape.parts[part].kind != PastedPart::Kind::hole)
+      points.push_back(shape.points[i].head<D>());
+  }
+  return points;
+}
+
+std::vector<models::Outline> outlines_of(const PastedShape& shape) {
+  if (shape.parts.empty()) return {hull_of(points_of<2>(shape))};
+  std::vector<models::Outline> outlines;
+  for (std::size_t part = 0, i = 0; i < shape.points.size(); ++i) {
+    if (part < shape.parts.size() && shape.parts[part].first == i)
+      outlines.push_back({{}, shape.parts[part++].kind != PastedPart::Kind::chain});
+    outlines.back().points.push_back(shape.points[i].head<2>());
+  }
+  return outlines;
+}
+
+ReadCase case_of(const Pasted& pasted, std::string name, int most_dimension,
+                 std::optional<models::Needs> needs, const CaseLimits& limits) {
+  ReadCase out;
+  out.name = std::move(name);
+  out.problems = pasted.problems;
+  if (!out.problems.empty()) {
+    out.place = {out.problems[0].line, out.problems[0].column};
+    return out;
+  }
+  out.place = pasted.shapes[0].place;
+  const auto report = [&](const PastedShape& shape, Place place, std::string what,
+                          std::string expected) {
+    out.problems.push_back(
+        {shape.file, place.line, place.column, std::move(what), std::move(expected), ""});
+  };
+  if (pasted.shapes.size() < 2) {
+    out.has_one_shape = true;
+    report(pasted.shapes[0], pasted.end,
+           "there is one shape, of " + told(pasted.shapes[0], false, false), "a second one, Y");
+    return out;
+  }
+  const std::array<const PastedShape*, 2> shapes = {&pasted.shapes[0], &pasted.shapes[1]};
+  std::array<bool, 2> dented = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PastedShape& shape = *shapes[i];
+    const char letter = i == 0 ? 'X' : 'Y';
+    dented[i] = shape.was_outline || !is_its_hull(shape);
+    double largest = 0.0;
+    for (const Eigen::Vector3d& point : shape.points)
+      largest = std::max(largest, point.cwiseAbs().maxCoeff());
+    if (shape.dimension != shapes[0]->dimension) {
+      report(shape, shape.place, fmt::format("a point has {} coordinates", shape.dimension),
+             fmt::format("{}, as in X", shapes[0]->dimension));
+    } else if (shape.dimension > most_dimension) {
+      report(shape, shape.place, "the points are in space", "two coordinates: the plane");
+    } else if (shape.points.size() > limits.points) {
+      report(shape, shape.place, fmt::format("{} has {} points", letter, shape.points.size()),
+             fmt::format("at most {}", limits.points));
+    } else if (largest > limits.magnitude) {
+      report(shape, shape.place, fmt::format("{} has a coordinate of {}", letter, largest),
+             fmt::format("numbers from -{0} to {0}", limits.magnitude));
+    }
+  }
+  const bool in_plane = shapes[0]->dimension == 2;
+  if (needs && in_plane && (dented[0] || dented[1])) {
+    OutlineCase value{outlines_of(*shapes[0]), outlines_of(*shapes[1])};
+    for (const auto& [shape, outlines] : {std::pair(shapes[0], &value.a), {shapes[1], &value.b}}) {
+      const models::Flaw flaw = models::check(*outlines, *needs);
+      if (flaw.fault != models::Fault::none && out.problems.empty()) {
+        report(
+            *shape, shape->place,
+            fmt::format("outline {} of this shape: {}", flaw.outline, models::name_of(flaw.fault)),
+            std::string(expected_of(*needs, flaw.fault)));
+      }
+    }
+    if (out.problems.empty()) out.outlines = std::move(value);
+  } else if (out.problems.empty() && in_plane) {
+    out.value = Case{points_of<2>(*shapes[0]), points_of<2>(*shapes[1])};
+  } else if (out.problems.empty()) {
+    out.in_space = CaseIn<3>{points_of<3>(*shapes[0]), points_of<3>(*shapes[1])};
+  }
+  if (!out.problems.empty()) return out;
+  const std::array<bool, 2> as_outlines = {dented[0] && in_plane, dented[1] && in_plane};
+  out.understood = fmt::format("X has {}, Y {}, in {}", told(*shapes[0], as_outlines[0], false),
+                               told(*shapes[1], as_outlines[1], !as_outlines[0]),
+                               in_plane ? "the plane" : "space");
+  if (!out.outlines && (dented[0] || dented[1])) {
+    out.understood += fmt::format("; the hull of {} counts", dented[0] && dented[1] ? "both"
+                                                             : dented[0]            ? "X"
+                                                                                    : "Y");
+  }
+  if (!pasted.left_out.empty())
+    out.understood += fmt::format("; left out: {}", fmt::join(pasted.left_out, ", "));
+  return out;
+}
+
 }  // namespace
 
 CaseLimits CaseLimits::of_lessons() {
@@ -479,7 +622,22 @@ CaseLimits CaseLimits::of_lessons() {
 
 std::vector<ReadCase> parse_cases(std::string_view text, std::string_view file, int most_dimension,
                                   std::optional<models::Needs> outlines, const CaseLimits& limits) {
-  return CaseReader(text, file, most_dimension, outlines, limits).read();
+  if (is_json_case(text)) return CaseReader(text, file, most_dimension, outlines, limits).read();
+  return {case_of(read_pasted(text, file), std::string(file), most_dimension, outlines, limits)};
+}
+
+std::optional<ReadCase> paired_case(const NamedText& x, const NamedText& y, int most_dimension,
+                                    std::optional<models::Needs> outlines) {
+  if (is_json_case(x.text) || is_json_case(y.text)) return std::nullopt;
+  Pasted both = read_pasted(x.text, x.file);
+  Pasted second = read_pasted(y.text, y.file);
+  if (both.shapes.size() != 1 || second.shapes.size() != 1) return std::nullopt;
+  both.shapes.push_back(std::move(second.shapes.front()));
+  for (std::string& each : second.left_out) {
+    if (std::find(both.left_out.begin(), both.left_out.end(), each) == both.left_out.end())
+      both.left_out.push_back(std::move(each));
+  }
+  return case_of(both, fmt::format("{}, {}", x.file, y.file), most_dimension, outlines, {});
 }
 
 std::string case_json(const Case& value, std::string_view name) {
@@ -496,7 +654,8 @@ std::string case_json(const Case& value, std::string_view name) {
 
 std::optional<std::string> case_json_kept(std::string_view original, const Case& value) {
   const std::vector<ReadCase> there = parse_cases(original, "");
-  if (there.size() != 1 || !there.front().value) return std::nullopt;
+  if (there.size() != 1 || !there.front().value || !there.front().understood.empty())
+    return std::nullopt;
   using Ordered = nlohmann::ordered_json;
   Ordered all = Ordered::parse(original.substr(original.starts_with("\xEF\xBB\xBF") ? 3 : 0));
   Ordered& it = all.is_array() ? all[0] : all;

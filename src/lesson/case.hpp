@@ -1,5 +1,6 @@
 #pragma once
-// Pasted shapes: the JSON that `gjkscope solve` and `gjkscope trace` read.
+// Pasted shapes: the JSON that `gjkscope solve` and `gjkscope trace` read; and all forms of
+// paste.hpp, of which a text holds one case.
 //
 //   {"dimension": 2, "a": [[x, y], ...], "b": [[x, y], ...]}
 //   {"dimension": 3, "a": [[x, y, z], ...], "b": [[x, y, z], ...]}
@@ -11,8 +12,8 @@
 // "0x1.999999999999ap-4"); it means the nearest double. `name`, `why`, `source`,
 // `expected_distance` and `expected_overlap` are optional; other keys are ignored. Outlines are
 // closed, and a first point that is repeated at the end counts once;
-// {"open": [[x, y], ...]} is an open chain. A text holds any number of cases, one after the other
-// (one a line, for example), or in arrays.
+// {"open": [[x, y], ...]} is an open chain; beside outlines, points are their hull. A text holds
+// any number of cases, one after the other (one a line, for example), or in arrays.
 
 #include <Eigen/Core>
 #include <limits>
@@ -64,6 +65,8 @@ struct ReadCase {
   std::optional<OutlineCase> outlines;
   CaseNotes notes;
   std::vector<Problem> problems;  ///< Empty exactly when one of the three is there.
+  std::string understood;         ///< "X has 4 vertices, Y 5, in the plane"; empty of JSON.
+  bool has_one_shape = false;     ///< That is its problem: the other one may be in a second file.
 };
 
 /// All cases of a text; `file` names it in problems. A text without any is a problem, too. A case
@@ -74,13 +77,22 @@ struct ReadCase {
     std::string_view text, std::string_view file, int most_dimension = 2,
     std::optional<models::Needs> outlines = std::nullopt, const CaseLimits& limits = {});
 
+struct NamedText {
+  std::string file;
+  std::string text;
+};
+/// The case of two texts that hold one shape each; nothing where they do not.
+[[nodiscard]] std::optional<ReadCase> paired_case(const NamedText& x, const NamedText& y,
+                                                  int most_dimension,
+                                                  std::optional<models::Needs> outlines);
+
 /// One case on a line of its own, with a line break: its coordinates read back to the same bits.
 /// They must be finite. An empty name is left out.
 [[nodiscard]] std::string case_json(const Case& value, std::string_view name);
 
 /// The text of one case with other shapes: its other keys stay, but for those that tell of the
 /// shapes that were there (expected_..., witness_...). Nothing where the text holds no case, more
-/// than one, or one that is not in the plane.
+/// than one, one that is not in the plane, or one in another form than JSON.
 [[nodiscard]] std::optional<std::string> case_json_kept(std::string_view original,
                                                         const Case& value);
 

@@ -94,7 +94,6 @@ std::string Player::answer(std::string_view request) {
   };
   static const std::map<std::string_view, Reply> changes = {
       {"replace", [](Player& p, const Asked& a) { p.replace(a); }},
-      {"case", [](Player& p, const Asked& a) { p.open_case(a); }},
       {"go", [](Player& p, const Asked& a) { p.session_.go_to(a.whole("to")); }},
       {"step", [](Player& p, const Asked& a) { p.step(a.whole("by")); }},
       {"iteration", [](Player& p, const Asked& a) { p.session_.step_iteration(a.whole("by")); }},
@@ -117,6 +116,7 @@ std::string Player::answer(std::string_view request) {
   };
   using Tell = std::string (*)(Player&, const Asked&);
   static const std::map<std::string_view, Tell> tells = {
+      {"case", [](Player& p, const Asked& a) { return p.shown(p.open_case(a)); }},
       {"point", [](Player& p, const Asked& a) { return p.linked(a.point()); }},
       {"lesson", [](Player& p, const Asked&) { return p.lesson_file(); }},
       {"vertices", [](Player& p, const Asked&) { return p.all_vertices(); }},
@@ -242,7 +242,7 @@ Lesson Player::parsed(const std::string& text, const std::string& name, const Fi
 }
 
 /// The lesson goes on with other shapes; they are shown as its own were.
-void Player::open_case(const Asked& asked) {
+std::string Player::open_case(const Asked& asked) {
   const std::string text = asked.text("text");
   const std::string name = asked.text("name");
   check_length(text, name);
@@ -263,6 +263,7 @@ void Player::open_case(const Asked& asked) {
   }
   session_.fit();
   session_.go_to(session_.frame_count() - 1);
+  return read.understood;
 }
 
 /// Traces of cases in the plane or in space, as `gjkscope trace --json` prints them.

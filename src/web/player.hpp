@@ -33,7 +33,7 @@ class Player {
   // Requests
   void open(const Asked& asked);
   void replace(const Asked& asked);
-  void open_case(const Asked& asked);
+  [[nodiscard]] std::string open_case(const Asked& asked);
   void set_layout(const Asked& asked);
   void go_to_phase(int phase);
   void step(int by);
@@ -60,7 +60,7 @@ class Player {
   void change(const std::string& name, const Lesson& lesson);
 
   // What is shown
-  [[nodiscard]] std::string shown();
+  [[nodiscard]] std::string shown(const std::string& understood = {});
   [[nodiscard]] std::string stage_svg(Picture stage) const;
   [[nodiscard]] Picture panel(const Frame& frame, double width);
   [[nodiscard]] std::string panel_svg(const Theme& theme);

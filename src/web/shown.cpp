@@ -252,7 +252,7 @@ std::string Player::for_paper() {
   return dumped(out);
 }
 
-std::string Player::shown() {
+std::string Player::shown(const std::string& understood) {
   if (!opened_) return dumped({{"count", 0}});
   if (!session_.is_dragging() && std::exchange(measured_, session_.version()) != session_.version())
     measure_panel();
@@ -282,6 +282,7 @@ std::string Player::shown() {
     for (const VertexChoice& half : question->pair)
       out["question"]["pair"].push_back({{"of", half.shape}, {"vertices", half.vertices}});
   }
+  if (!understood.empty()) out["understood"] = understood;
   out["predicting"] = session_.is_predicting();
   if (!session_.answers().empty()) {
     const Answer& last = session_.answers().back();

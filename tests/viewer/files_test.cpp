@@ -455,6 +455,22 @@ TEST(Case, WhatIsNoCaseIsSaidInPlainWords) {
             window.session().lesson().title);
 }
 
+TEST(Case, InAnotherFormSaysWhatWasUnderstood) {
+  const TemporaryFolder folder;
+  HeadlessApp window;
+  window.app().paste = [] {
+    return "POLYGON ((0 0, 9 0, 9 9, 0 9), (2 2, 7 2, 7 7, 2 7))\nb = [(20, 0), (21, 0)]";
+  };
+  window.key("V", true);
+  EXPECT_EQ(
+      "X has 1 outline and 1 hole of 8 vertices, Y 2 vertices, in the plane; the hull of X counts",
+      window.app().message());
+  EXPECT_EQ(4u, window.session().lesson().x().vertices.size());
+  window.app().open_path(folder.file("two.txt", "0 0\n1 0\n\n3 4\n"));
+  EXPECT_EQ("X has 2 vertices, Y 1, in the plane", window.app().message());
+  EXPECT_TRUE(window.session().file().empty()) << "saving would not write this form";
+}
+
 TEST(Case, OfAnOutlineThatIsNotConvexSaysThatGjkSeesTheHull) {
   HeadlessApp window;
   window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "tests" / "hard-cases" /

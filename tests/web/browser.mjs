@@ -873,7 +873,8 @@ claim("a message points to the place in the text, below the field", async () => 
   for (const [json, problem] of [
     ['{"a": [[1e308,0],[-1e308,0]], "b": [[3,1e308]]}', /^pasted:1:9: \/a\/0\/0 is 1e\+308; expected a number from -1e\+18 to 1e\+18$/m],
     ['{"a": [[0, 0]],\n "b": [[3, "four"]]}', /^pasted:2:12: \/b\/0\/1 is "four"; expected a finite number/],
-    ["POLYGON((0 0,1 0,0 1,0 0))", /^pasted:1:1: this is not JSON.*expected \{"dimension": 2, "a": \[\[x, y\], \.\.\.\]/],
+    ["POLYGON((0 0,1 0,0 1,0 0))", /^pasted:1:27: there is one shape, of 3 vertices; expected a second one, Y$/],
+    ["a = [(0, 0), (1, x)]", /^pasted:1:18: 'x' stands among numbers/],
     [JSON.stringify({ a: ring(10001, 0), b: [[3, 4]] }), /^pasted:1:6: \/a has 10001 points; expected at most 10000$/],
   ]) {
     await page.evaluate((value) => { document.getElementById("case").value = value; }, json);

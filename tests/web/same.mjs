@@ -63,6 +63,11 @@ for (const file of cases) {
   for (const scalar of ["half", "float", "double", "exact"]) ask({ do: "solve", text, name: file, scalar });
   ask({ do: "case", text, name: file });
 }
+for (const file of readdirSync(`${root}/tests/fuzz/solve`).filter((name) => !name.endsWith(".json"))) {
+  const text = read(`tests/fuzz/solve/${file}`);
+  ask({ do: "solve", text, name: file, scalar: "double" });
+  ask({ do: "case", text, name: file });
+}
 
 const program = await startProgram();
 const began = performance.now();
