@@ -84,6 +84,10 @@ int trace_command(const Environment& env, const std::string& name, const CaseOpt
 int solve_command(const Environment& env, const std::vector<std::string>& files,
                   const CaseOptions& options);
 
+/// Says of each log of a run (docs/log-format.md) whether it is right, and which step is the first
+/// that is not: kProblem then, and kCannot where a log cannot be read. "-" is standard input.
+int judge_command(const Environment& env, const std::vector<std::string>& files, bool json);
+
 /// Problems of lesson and case files on `out`, each with its place; also runs them, and checks what
 /// lessons expect and whether cases are refused.
 int check_command(const Environment& env, const std::vector<std::string>& files);

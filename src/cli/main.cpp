@@ -25,9 +25,9 @@ using namespace gjkscope;
 
 constexpr const char* kFooter = R"(Exit codes:
   0  done
-  1  a lesson or case has a problem, or GJK refuses its query
+  1  a lesson or case has a problem, or GJK refuses its query, or a run is wrong
   2  the command line: an unknown command, option, lesson or value
-  3  a file cannot be read or written, or a frame cannot be drawn
+  3  a file or log cannot be read or written, or a frame cannot be drawn
   128+n  signal n ended an export or a study, which keeps what it has done
 
 gjkscope reads lessons and assets from $GJKSCOPE_SHARE, or from where they were installed.
@@ -253,6 +253,22 @@ void add_commands(CLI::App& app, Arguments& args) {
       "and\nwhere, and what has no answer in double precision.\n\n"
       "Examples:\n  gjkscope check lessons/*.toml\n  gjkscope check case.json\n");
 
+  CLI::App* judge = app.add_subcommand("judge", "Find the first wrong step in a log of any GJK");
+  judge->add_option("log", args.files, "Logs; - is standard input")->required();
+  add_json(judge);
+  judge->footer(
+      "A log holds one run: a line with the shapes, a line for each iteration with what the loop\n"
+      "knows (simplex, weights, closest point, direction, support point), and a line with the\n"
+      "answer. gjkscope_log.h writes it in C and C++; docs/log-format.md describes it, and has "
+      "the\n"
+      "same for Python and JavaScript. Each step is checked in exact arithmetic.\n"
+      "  wrong     more than rounding explains\n"
+      "  rounding  the largest error that is explained, in units u L: the unit roundoff times the\n"
+      "            largest length of the step\n"
+      "  waste     costs time, and leaves the answer alone\n\n"
+      "Exit code 0: all runs are right; 1: one is wrong; 3: a log cannot be read.\n\n"
+      "Examples:\n  gjkscope judge run.jsonl\n  my-program | gjkscope judge - --json\n");
+
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
   told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
   told->add_flag("--all", args.lessons.all, "All shipped lessons");
@@ -409,6 +425,7 @@ int run(const CLI::App& app, Arguments& args) {
     return trace_command(env, args.name, {args.scalar, args.method}, args.json);
   if (app.got_subcommand("solve"))
     return solve_command(env, args.files, {args.scalar, args.method});
+  if (app.got_subcommand("judge")) return judge_command(env, args.files, args.json);
   if (app.got_subcommand("check")) return check_command(env, args.files);
   if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
   if (app.got_subcommand("study")) {
