@@ -5,7 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/file.hpp"
 #include "cli/input.hpp"
+#include "judge/trial.hpp"
+#include "lesson/case.hpp"
+#include "lesson/save.hpp"
 
 namespace gjkscope {
 namespace {
@@ -68,7 +72,73 @@ std::string text_of(const std::string& name, const Judgement& judgement) {
   return out;
 }
 
+Json json_of(const judging::FamilyTrial& trial) {
+  Json out;
+  out["dimension"] = trial.dimension;
+  out["family"] = trial.family;
+  out["asked"] = trial.asked;
+  out["faults"] = Json::object();
+  for (const auto& [name, fault] : Named<judging::Fault>::kTable)
+    out["faults"][std::string(name)] = trial.faults[static_cast<std::size_t>(fault)];
+  out["worst"] = trial.worst;
+  if (!trial.smallest) return out;
+  out["smallest"] = {{"fault", name_of(trial.smallest->fault)},
+                     {"case", Json::parse(trial.smallest->text)},
+                     {"answer", trial.smallest->answer},
+                     {"distance", trial.smallest->distance}};
+  return out;
+}
+
+/// The case beside its lesson.
+void write_case(const std::filesystem::path& dir, const judging::FamilyTrial& trial,
+                const std::string& command) {
+  const judging::FailingCase& smallest = *trial.smallest;
+  const std::string name = fmt::format("{}-{}d", trial.family, trial.dimension);
+  Json text = Json::parse(smallest.text);
+  text["name"] = name;
+  text["why"] = fmt::format("{}: {} answers {}", name_of(smallest.fault), command, smallest.answer);
+  text["expected_distance"] = smallest.distance;
+  write_whole(dir / (name + ".json"),
+              text.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+  if (trial.dimension == 3) return;
+  const std::vector<ReadCase> read = parse_cases(smallest.text, name);
+  Lesson lesson = lesson_of(*read.front().value, name, ScalarKind::double_);
+  lesson.title = fmt::format("A case of the family {}", trial.family);
+  lesson.prose = fmt::format("The distance is {:.10g}.", smallest.distance);
+  write_whole(dir / (name + ".toml"), lesson_toml(lesson));
+}
+
 }  // namespace
+
+int judge_program_command(const Environment& env, const judging::TrialOptions& options,
+                          const std::filesystem::path& out_dir, bool json) {
+  if (!out_dir.empty()) std::filesystem::create_directories(out_dir);
+  bool failed = false;
+  std::string cases;
+  if (!json)
+    env.out << "| family | dimension | pairs | failures | largest relative error |\n"
+               "| --- | --- | --- | --- | --- |\n";
+  const std::string gave_up = judging::try_program(options, [&](const judging::FamilyTrial& trial) {
+    failed = failed || trial.smallest.has_value();
+    if (trial.smallest && !out_dir.empty()) write_case(out_dir, trial, options.command);
+    if (json) {
+      env.out << json_of(trial).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+      return;
+    }
+    env.out << fmt::format("| {} | {} | {} | {} | {} |\n", trial.family, trial.dimension,
+                           trial.asked, faults_text(trial),
+                           trial.worst > 0 ? fmt::format("{:.0e}", trial.worst) : ".")
+            << std::flush;
+    if (trial.smallest)
+      cases += fmt::format("{}: {}\n  the distance is {:.10g}, the program says: {:.200}\n  {}\n",
+                           trial.family, name_of(trial.smallest->fault), trial.smallest->distance,
+                           trial.smallest->answer, trial.smallest->text);
+  });
+  if (!cases.empty()) env.out << "\nThe smallest failing case of each family:\n\n" << cases;
+  if (!gave_up.empty()) env.err << fmt::format("gjkscope: {}\n", gave_up);
+  if (!flushed(env) || !gave_up.empty()) return kCannot;
+  return failed ? kProblem : kDone;
+}
 
 int judge_command(const Environment& env, const std::vector<std::string>& files, bool json) {
   int exit_code = kDone;
