@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "export/export.hpp"
+#include "judge/trial.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
 #include "outlines/outline.hpp"
@@ -83,6 +84,16 @@ int trace_command(const Environment& env, const std::string& name, const CaseOpt
 /// One JSON object for each case and line. "-" is standard input.
 int solve_command(const Environment& env, const std::vector<std::string>& files,
                   const CaseOptions& options);
+
+/// Says of each log of a run (docs/log-format.md) whether it is right, and which step is the first
+/// that is not: kProblem then, and kCannot where a log cannot be read. "-" is standard input.
+int judge_command(const Environment& env, const std::vector<std::string>& files, bool json);
+
+/// Asks a program about families of pairs, and prints what it gets wrong: kProblem where that is
+/// anything, kCannot where it answers nothing. In `out_dir` the smallest failing case of each
+/// family, reduced, as a case and, in the plane, as a lesson.
+int judge_program_command(const Environment& env, const judging::TrialOptions& options,
+                          const std::filesystem::path& out_dir, bool json);
 
 /// Problems of lesson and case files on `out`, each with its place; also runs them, and checks what
 /// lessons expect and whether cases are refused.

@@ -25,9 +25,9 @@ using namespace gjkscope;
 
 constexpr const char* kFooter = R"(Exit codes:
   0  done
-  1  a lesson or case has a problem, or GJK refuses its query
+  1  a lesson or case has a problem, or GJK refuses its query, or a run is wrong
   2  the command line: an unknown command, option, lesson or value
-  3  a file cannot be read or written, or a frame cannot be drawn
+  3  a file or log cannot be read or written, or a frame cannot be drawn
   128+n  signal n ended an export or a study, which keeps what it has done
 
 gjkscope reads lessons and assets from $GJKSCOPE_SHARE, or from where they were installed.
@@ -72,6 +72,7 @@ struct Arguments {
   std::pair<int, int> size = {1280, 720};
   StepRange steps;
   StudyOptions study;
+  judging::TrialOptions trial;
 };
 
 void add_export_look(CLI::App* command, Arguments& args) {
@@ -265,6 +266,60 @@ void add_commands(CLI::App& app, Arguments& args) {
       "and\nwhere, and what has no answer in double precision.\n\n"
       "Examples:\n  gjkscope check lessons/*.toml\n  gjkscope check case.json\n");
 
+  CLI::App* judge = app.add_subcommand("judge", "Find the first wrong step in a log of any GJK");
+  judge->add_option("log", args.files, "Logs; - is standard input");
+  judging::TrialOptions& trial = args.trial;
+  CLI::Option* program =
+      judge
+          ->add_option("--program", trial.command,
+                       "Ask a program, by a shell's command, about families of pairs instead")
+          ->type_name("CMD");
+  judge->add_option("--family", trial.families, "Family of pairs; repeat the option for more")
+      ->check(CLI::IsMember(judging::family_names()))
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->needs(program);
+  judge->add_option("--dimension", trial.dimension, "2: the plane; 3: space; both if not given")
+      ->check(CLI::IsMember({2, 3}))
+      ->needs(program);
+  judge->add_option("--pairs", trial.pairs, "Pairs of each family")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str()
+      ->needs(program);
+  judge->add_option("--seed", trial.seed, "Seed of the pairs")
+      ->capture_default_str()
+      ->needs(program);
+  judge->add_flag("--float", trial.in_float, "Coordinates are floats; so the program may compute")
+      ->needs(program);
+  judge->add_option("--patience", trial.patience.seconds, "Seconds without an answer")
+      ->check(CLI::Range(0.01, 3600.0))
+      ->capture_default_str()
+      ->needs(program);
+  judge->add_option("--out", args.out, "Folder for the smallest failing case of each family")
+      ->type_name("DIR")
+      ->needs(program);
+  add_json(judge);
+  judge->footer(
+      "A log holds one run: a line with the shapes, a line for each iteration with what the loop\n"
+      "knows (simplex, weights, closest point, direction, support point), and a line with the\n"
+      "answer. gjkscope_log.h writes it in C and C++; docs/log-format.md describes it, and has "
+      "the\n"
+      "same for Python and JavaScript. Each step is checked in exact arithmetic.\n"
+      "  wrong     more than rounding explains\n"
+      "  rounding  the largest error that is explained, in units u L: the unit roundoff times the\n"
+      "            largest length of the step\n"
+      "  waste     costs time, and leaves the answer alone\n\n"
+      "A program reads cases, as `gjkscope solve` does, one a line, and prints an answer a line:\n"
+      "{\"distance\":...}, and, if it has them, \"overlap\":true or false, \"a\" and \"b\". "
+      "Failures are\n"
+      "  m missed overlap   i invented overlap   r relative error   p closest points   n NaN\n"
+      "  g gave up ({\"error\":...})   x no answer at all   s silence   c crash\n\n"
+      "Exit code 0: all is right; 1: a run or an answer is wrong; 3: a log cannot be read, or a\n"
+      "program answers nothing.\n\n"
+      "Examples:\n  gjkscope judge run.jsonl\n  my-program | gjkscope judge - --json\n"
+      "  gjkscope judge --program ./my-distance --dimension 2 --out failing\n"
+      "  gjkscope judge --program 'gjkscope solve -' --family needle --pairs 100\n");
+
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
   told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
   told->add_flag("--all", args.lessons.all, "All shipped lessons");
@@ -421,6 +476,14 @@ int run(const CLI::App& app, Arguments& args) {
     return trace_command(env, args.name, {args.scalar, args.method}, args.json);
   if (app.got_subcommand("solve"))
     return solve_command(env, args.files, {args.scalar, args.method});
+  if (app.got_subcommand("judge")) {
+    if (args.files.empty() == args.trial.command.empty()) {
+      env.err << "gjkscope judge: name logs, or give --program\n";
+      return kUsage;
+    }
+    if (args.files.empty()) return judge_program_command(env, args.trial, args.out, args.json);
+    return judge_command(env, args.files, args.json);
+  }
   if (app.got_subcommand("check")) return check_command(env, args.files);
   if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
   if (app.got_subcommand("study")) {

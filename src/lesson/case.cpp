@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
-#include "lesson/json_text.hpp"
+#include "lesson/json_place.hpp"
 #include "lesson/paste.hpp"
 #include "lesson/schema.hpp"
 #include "outlines/nearest.hpp"
@@ -26,34 +25,7 @@ constexpr std::size_t kListedProblems = 20;
 /// After so many values that are not JSON a text is read no further.
 constexpr int kMostBroken = 100;
 
-/// Where the value at `path` (keys and indices) begins in a well-formed text.
-[[nodiscard]] std::size_t find_value(std::string_view text, std::size_t at,
-                                     const std::vector<std::string>& path) {
-  at = skip_space(text, at);
-  for (const std::string& wanted : path) {
-    const bool object = at < text.size() && text[at] == '{';
-    std::optional<std::size_t> found;
-    int index = 0;
-    std::size_t next = skip_space(text, at + 1);
-    while (next < text.size() && text[next] != '}' && text[next] != ']') {
-      std::string key = std::to_string(index++);
-      if (object) {
-        const std::size_t end = skip_string(text, next);
-        key = std::string(text.substr(next + 1, end - next - 2));
-        next = skip_space(text, skip_space(text, end) + 1);  // the colon
-      }
-      if (key == wanted) found = next;  // of repeated keys the last one counts
-      next = skip_space(text, skip_value(text, next));
-      if (next < text.size() && text[next] == ',') next = skip_space(text, next + 1);
-    }
-    if (!found) return at;
-    at = *found;
-  }
-  return at;
-}
-
-/// Keys and indices.
-using Path = std::vector<std::string>;
+using Path = JsonPath;
 
 /// The outline around points, exactly (Andrew 1979, monotone chain): what a set of points is beside
 /// outlines. At least two points, of which both may be the same.
@@ -232,7 +204,7 @@ class CaseReader {
     text("why", notes.why);
     text("source", notes.source);
     if (const auto found = value.find("expected_distance"); found != value.end())
-      notes.expected_distance = coordinate(*found);
+      notes.expected_distance = number_in(*found);
     if (const auto found = value.find("expected_overlap");
         found != value.end() && found->is_boolean())
       notes.expected_overlap = found->get<bool>();
@@ -291,7 +263,7 @@ class CaseReader {
       gjk::Vec<double, D> read = gjk::Vec<double, D>::Zero();
       for (int k = 0; k < D; ++k) {
         const json& given = point[static_cast<std::size_t>(k)];
-        const std::optional<double> number = coordinate(given);
+        const std::optional<double> number = number_in(given);
         const bool is_finite = number && std::isfinite(*number);
         if (is_finite && std::abs(*number) <= limits_.magnitude) {
           read[k] = *number;
@@ -383,25 +355,6 @@ class CaseReader {
   }
   [[nodiscard]] static std::string shown(const Path& path) {
     return fmt::format("/{}", fmt::join(path, "/"));
-  }
-
-  /// A number, or a string that holds a decimal or hexadecimal one and nothing else.
-  [[nodiscard]] static std::optional<double> coordinate(const json& value) {
-    if (value.is_number()) return value.get<double>();
-    if (!value.is_string()) return std::nullopt;
-    const std::string& text = value.get_ref<const std::string&>();
-    const char* begin = text.data();
-    const char* end = begin + text.size();
-    const bool negative = begin != end && *begin == '-';
-    if (begin != end && (*begin == '-' || *begin == '+')) ++begin;
-    if (begin == end || *begin == '-') return std::nullopt;
-    const bool hex = end - begin > 2 && begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X');
-    if (hex) begin += 2;
-    double number = 0.0;
-    const auto [stop, error] = std::from_chars(
-        begin, end, number, hex ? std::chars_format::hex : std::chars_format::general);
-    if (error != std::errc{} || stop != end) return std::nullopt;
-    return negative ? -number : number;
   }
 
   [[nodiscard]] static std::string article(const json& value) {

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "lesson/json_text.hpp"
+#include "lesson/json_place.hpp"
 #include "outlines/nearest.hpp"
 
 namespace gjkscope {

@@ -115,6 +115,7 @@ class SiteWriter {
  public:
   explicit SiteWriter(const SiteOptions& options)
       : options_(options),
+        share_(options.share),
         assets_(options.share / "assets"),
         fonts_(assets_ / "fonts.toml"),
         theme_(Theme::load(assets_ / "themes", "light")),
@@ -183,7 +184,7 @@ class SiteWriter {
 
   void write_about() {
     write_plain("about", "About · gjkscope", "Where these pages come from, and how to use them.",
-                {});
+                {{"log", escape_html(read_whole(share_ / "src" / "gjkscope_log.h"))}});
   }
 
   std::vector<fs::path> files() && { return std::move(files_); }
@@ -354,6 +355,7 @@ class SiteWriter {
   }
 
   const SiteOptions& options_;
+  fs::path share_;
   fs::path assets_;
   Fonts fonts_;
   Theme theme_;

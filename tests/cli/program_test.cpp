@@ -26,12 +26,12 @@ TEST(Program, HelpNamesEveryCommandAndEveryExitCode) {
   const Ran ran = run_program("--help");
   EXPECT_EQ(kDone, ran.exit_code);
   EXPECT_TRUE(ran.err.empty());
-  for (const char* word : {"lessons", "export", "trace", "solve", "check", "transcript", "explain",
-                           "--version", "Exit codes", "Examples", "GJKSCOPE_SHARE"}) {
+  for (const char* word : {"lessons", "export", "trace", "solve", "judge", "check", "transcript",
+                           "explain", "--version", "Exit codes", "Examples", "GJKSCOPE_SHARE"}) {
     EXPECT_TRUE(holds(ran.out, word)) << word;
   }
   for (const char* command :
-       {"lessons", "export", "trace", "solve", "check", "transcript", "explain"}) {
+       {"lessons", "export", "trace", "solve", "judge", "check", "transcript", "explain"}) {
     const Ran help = run_program(std::string(command) + " --help");
     EXPECT_EQ(kDone, help.exit_code);
     EXPECT_TRUE(holds(help.out, "Examples")) << command;

@@ -34,7 +34,8 @@ class Site : public ::testing::Test {
  protected:
   Site() {
     fs::create_directories(share_ / "web");
-    fs::create_symlink(fs::path(GJKSCOPE_SOURCE_DIR) / "assets", share_ / "assets");
+    for (const char* folder : {"assets", "src"})
+      fs::create_symlink(fs::path(GJKSCOPE_SOURCE_DIR) / folder, share_ / folder);
     std::ofstream(share_ / "web" / "gjkscope.wasm.gz") << "hi";
     std::ofstream(share_ / "web" / "fonts.css") << "@font-face { }";
   }
@@ -95,6 +96,8 @@ TEST_F(Site, AnIndexLinksAllPages) {
                                        testing::shipped_lesson("stop-vertex")};
   const auto files = export_site(lessons, {out_, share_, true});
   ASSERT_EQ(files.size(), 5u);
+  EXPECT_NE(read_whole(out_ / "about.html").find("#define GJKSCOPE_B_MINUS_A &quot;b-a&quot;"),
+            std::string::npos);
   const std::string index = read_whole(out_ / "index.html");
   for (const char* link :
        {"segment-closest.html", "stop-vertex.html", "playground.html", "about.html"})

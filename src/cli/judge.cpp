@@ -1,0 +1,166 @@
+#include "judge/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "base/file.hpp"
+#include "cli/input.hpp"
+#include "judge/trial.hpp"
+#include "lesson/case.hpp"
+#include "lesson/save.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using judging::Finding;
+using judging::Judgement;
+
+Json json_of(const std::optional<Finding>& finding) {
+  if (!finding) return nullptr;
+  Json out;
+  if (finding->iteration > 0) out["iteration"] = finding->iteration;
+  out["line"] = finding->line;
+  out["part"] = name_of(finding->part);
+  if (!finding->what.empty()) out["what"] = finding->what;
+  return out;
+}
+
+Json json_of(const std::string& name, const Judgement& judgement) {
+  Json out;
+  out["log"] = name;
+  out["right"] = judgement.right();
+  out["iterations"] = judgement.iterations;
+  out["distance"] = judgement.distance;
+  out["overlap"] = judgement.overlap;
+  out["wrong"] = json_of(judgement.wrong);
+  out["wrong_answer"] = json_of(judgement.answer);
+  out["waste"] = json_of(judgement.waste);
+  out["rounding"] = judgement.rounding;
+  out["rounded"] = json_of(judgement.rounded);
+  out["cut_off"] = judgement.cut_off;
+  return out;
+}
+
+std::string place_of(const Finding& finding) {
+  return fmt::format("{} of iteration {}", name_of(finding.part), finding.iteration);
+}
+
+std::string text_of(const std::string& name, const Judgement& judgement) {
+  std::string out;
+  const auto line = [&](int at, const std::string& text) {
+    out += fmt::format("{}{}: {}\n", name, at > 0 ? fmt::format(":{}", at) : "", text);
+  };
+  if (judgement.cut_off) line(0, "the last line is cut off, and left out");
+  if (judgement.wrong)
+    line(judgement.wrong->line,
+         fmt::format("wrong: {}: {}", place_of(*judgement.wrong), judgement.wrong->what));
+  if (judgement.answer)
+    line(judgement.answer->line, fmt::format("wrong: answer: {}", judgement.answer->what));
+  if (judgement.waste)
+    line(judgement.waste->line,
+         fmt::format("waste: {}: {}", place_of(*judgement.waste), judgement.waste->what));
+  if (!judgement.right()) return out;
+  line(0,
+       fmt::format("right: {} {}, distance {:.10g}{}", judgement.iterations,
+                   judgement.iterations == 1 ? "iteration" : "iterations", judgement.distance,
+                   judgement.rounded ? fmt::format("; rounding up to {:.2g} u L, in {}",
+                                                   judgement.rounding, place_of(*judgement.rounded))
+                                     : ""));
+  return out;
+}
+
+Json json_of(const judging::FamilyTrial& trial) {
+  Json out;
+  out["dimension"] = trial.dimension;
+  out["family"] = trial.family;
+  out["asked"] = trial.asked;
+  out["faults"] = Json::object();
+  for (const auto& [name, fault] : Named<judging::Fault>::kTable)
+    out["faults"][std::string(name)] = trial.faults[static_cast<std::size_t>(fault)];
+  out["worst"] = trial.worst;
+  if (!trial.smallest) return out;
+  out["smallest"] = {{"fault", name_of(trial.smallest->fault)},
+                     {"case", Json::parse(trial.smallest->text)},
+                     {"answer", trial.smallest->answer},
+                     {"distance", trial.smallest->distance}};
+  return out;
+}
+
+/// The case beside its lesson.
+void write_case(const std::filesystem::path& dir, const judging::FamilyTrial& trial,
+                const std::string& command) {
+  const judging::FailingCase& smallest = *trial.smallest;
+  const std::string name = fmt::format("{}-{}d", trial.family, trial.dimension);
+  Json text = Json::parse(smallest.text);
+  text["name"] = name;
+  text["why"] = fmt::format("{}: {} answers {}", name_of(smallest.fault), command, smallest.answer);
+  text["expected_distance"] = smallest.distance;
+  write_whole(dir / (name + ".json"),
+              text.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+  if (trial.dimension == 3) return;
+  const std::vector<ReadCase> read = parse_cases(smallest.text, name);
+  Lesson lesson = lesson_of(*read.front().value, name, ScalarKind::double_);
+  lesson.title = fmt::format("A case of the family {}", trial.family);
+  lesson.prose = fmt::format("The distance is {:.10g}.", smallest.distance);
+  write_whole(dir / (name + ".toml"), lesson_toml(lesson));
+}
+
+}  // namespace
+
+int judge_program_command(const Environment& env, const judging::TrialOptions& options,
+                          const std::filesystem::path& out_dir, bool json) {
+  if (!out_dir.empty()) std::filesystem::create_directories(out_dir);
+  bool failed = false;
+  std::string cases;
+  if (!json)
+    env.out << "| family | dimension | pairs | failures | largest relative error |\n"
+               "| --- | --- | --- | --- | --- |\n";
+  const std::string gave_up = judging::try_program(options, [&](const judging::FamilyTrial& trial) {
+    failed = failed || trial.smallest.has_value();
+    if (trial.smallest && !out_dir.empty()) write_case(out_dir, trial, options.command);
+    if (json) {
+      env.out << json_of(trial).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+      return;
+    }
+    env.out << fmt::format("| {} | {} | {} | {} | {} |\n", trial.family, trial.dimension,
+                           trial.asked, faults_text(trial),
+                           trial.worst > 0 ? fmt::format("{:.0e}", trial.worst) : ".")
+            << std::flush;
+    if (trial.smallest)
+      cases += fmt::format("{}: {}\n  the distance is {:.10g}, the program says: {:.200}\n  {}\n",
+                           trial.family, name_of(trial.smallest->fault), trial.smallest->distance,
+                           trial.smallest->answer, trial.smallest->text);
+  });
+  if (!cases.empty()) env.out << "\nThe smallest failing case of each family:\n\n" << cases;
+  if (!gave_up.empty()) env.err << fmt::format("gjkscope: {}\n", gave_up);
+  if (!flushed(env) || !gave_up.empty()) return kCannot;
+  return failed ? kProblem : kDone;
+}
+
+int judge_command(const Environment& env, const std::vector<std::string>& files, bool json) {
+  int exit_code = kDone;
+  for (const std::string& file : files) {
+    const std::optional<std::string> text = read_text(env, file);
+    const std::string name = file == "-" ? "<stdin>" : file;
+    const judging::ReadLog read = text ? judging::read_log(*text, name) : judging::ReadLog{};
+    for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
+    if (!read.log) {
+      exit_code = kCannot;
+      continue;
+    }
+    const Judgement judgement = judging::judge(*read.log);
+    if (!judgement.right() && exit_code == kDone) exit_code = kProblem;
+    // Names may hold bytes that are not UTF-8.
+    if (json)
+      env.out << json_of(name, judgement).dump(-1, ' ', false, Json::error_handler_t::replace)
+              << '\n';
+    else
+      env.out << text_of(name, judgement);
+  }
+  return flushed(env) ? exit_code : kCannot;
+}
+
+}  // namespace gjkscope

@@ -1,0 +1,29 @@
+#pragma once
+// A program that answers cases: one a line to its standard input, one answer a line from its
+// standard output.
+
+#include <string>
+#include <vector>
+
+namespace gjkscope::judging {
+
+/// What a program said to a case.
+struct Reply {
+  enum class Kind { answered, silent, crashed, not_asked };
+  Kind kind = Kind::not_asked;
+  std::string line;  ///< Of an answer; of a crash, how the program ended.
+};
+
+struct Patience {
+  double seconds = 5;    ///< Without an answer; then a program is silent.
+  int most_faults = 10;  ///< Crashes and silences of one call; then it is not asked on.
+};
+
+/// Asks `command`, which a shell runs, all cases at once. A case on which the program ends early or
+/// falls silent costs the answer to that case only: the program is started again for the next. As
+/// programs may keep answers back until they end, such a case is found by asking one at a time.
+[[nodiscard]] std::vector<Reply> ask(const std::string& command,
+                                     const std::vector<std::string>& cases,
+                                     const Patience& patience = {});
+
+}  // namespace gjkscope::judging
