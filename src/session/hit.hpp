@@ -2,7 +2,7 @@
 // What of a picture is under the pointer.
 
 #include "picture/picture.hpp"
-#include "subjects/regions/voronoi.hpp"
+#include "subjects/run/voronoi.hpp"
 
 namespace gjkscope {
 

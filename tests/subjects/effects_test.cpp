@@ -10,7 +10,7 @@
 #include "run/facts.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/motion/motion.hpp"
-#include "subjects/regions/voronoi.hpp"
+#include "subjects/run/voronoi.hpp"
 #include "subjects/run/direction_rules.hpp"
 #include "subjects/run/history.hpp"
 #include "subjects/run/other_normal.hpp"

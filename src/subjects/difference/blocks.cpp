@@ -4,6 +4,7 @@
 
 #include "subjects/difference/act.hpp"
 #include "subjects/difference/subject.hpp"
+#include "subjects/run/subject.hpp"
 
 namespace gjkscope::blocks {
 
@@ -46,4 +47,47 @@ void pairs(PanelBuilder& panel) {
 const Block kPairs{
     .name = "pairs", .meaning = "the pairs of vertices and their differences", .write = pairs};
 
+namespace {
+
+using State = LineView::State;
+
+/// Catto 2010, slide "Building the Minkowski difference".
+void minkowski_listing(PanelBuilder& panel) {
+  const PositionedRun& positioned = panel.run.run(panel.frame);
+  const int per_x = static_cast<int>(positioned.y().world.size());
+  const auto [part, made] = *build_frame(panel.run, panel.frame);
+  const bool is_pair = part == BuildPart::pair;
+  const bool is_copy = part == BuildPart::copy;
+  const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
+  const Lesson& lesson = panel.run.lesson;
+  write_line(panel, "points ← none", {part == BuildPart::start ? State::current : State::past});
+  write_line(panel, "for each vertex x of X",
+             {State::past, {}, is_pair || is_copy ? lesson.x().vertex_names[pair.x] : ""});
+  write_line(panel, "  for each vertex y of Y",
+             {State::past,
+              {},
+              is_pair   ? lesson.y().vertex_names[pair.y]
+              : is_copy ? "all"
+                        : ""});
+  write_line(panel, "    add y − x to the points",
+             {is_pair || is_copy ? State::current : State::past,
+              {},
+              is_pair ? panel.run.pair_name(pair) : ""});
+  write_line(panel, "Z ← convex hull of the points",
+             {part == BuildPart::hull  ? State::current
+              : part > BuildPart::hull ? State::past
+                                       : State::idle});
+}
+
+}  // namespace
+
 }  // namespace gjkscope::blocks
+
+namespace gjkscope::listings {
+
+const Listing kMinkowski{.name = "minkowski",
+                         .meaning = "Minkowski difference, pair by pair",
+                         .write = blocks::minkowski_listing,
+                         .act = "pairs"};
+
+}  // namespace gjkscope::listings

@@ -7,6 +7,7 @@ namespace gjkscope {
 const SubjectParts subjects::difference{
     .acts = {&acts::kPairs},
     .blocks = {&blocks::kPairs},
+    .listings = {&listings::kMinkowski},
     .layers = {&layers::kDifference, &layers::kCornerNames},
     .effects = {&effect_infos::kMinkowskiCloud, &effect_infos::kMinkowskiHull},
 };

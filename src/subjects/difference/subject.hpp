@@ -16,6 +16,10 @@ namespace blocks {
 extern const Block kPairs;
 }  // namespace blocks
 
+namespace listings {
+extern const Listing kMinkowski;
+}  // namespace listings
+
 namespace layers {
 
 extern const Layer kDifference;

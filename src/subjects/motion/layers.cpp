@@ -9,6 +9,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kPathNow = 5.0;  // radius of the mark of a shape's place on its way
+
 std::vector<Point> placed(const SceneBuilder& scene, const std::vector<Vector2d>& polygon) {
   std::vector<Point> points;
   for (const Vector2d& point : polygon) points.push_back(scene.at(point));
@@ -79,5 +81,51 @@ const Layer kGrownObstacle{.effect = gjkscope::GrownObstacle::kName,
                            .on = Layer::On::every_view,
                            .order = 120,
                            .draw = grown_obstacle};
+
+namespace {
+
+/// The end of a way, as an arrow: long enough to be seen, however short the last step is.
+void end_of_way(SceneBuilder& scene, const std::vector<Point>& points) {
+  constexpr double kLeast = 16.0;
+  const auto before = std::find_if(points.rbegin(), points.rend(), [&](const Point& point) {
+    return (point - points.back()).norm() >= kLeast;
+  });
+  if (before != points.rend()) scene.add("path.end", Arrow{*before, points.back()});
+}
+
+void path(SceneBuilder& scene) {
+  // Arrows stand in place of a way.
+  if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
+  const LessonPath& path = *scene.run.lesson.path_of_shapes;
+  // Without a number of frames a path is a set of places to be in, not a way between them.
+  if (path.frames == 0) return;
+  for (std::size_t body = 0; body < path.motions.size(); ++body) {
+    const Lesson& lesson = scene.run.lesson;
+    if (!scene.run.point_query()) {
+      const Point middle = scene.at(centroid(in_plane(scene.positioned.bodies[body].world)));
+      const std::string& name = lesson.bodies[body].name;
+      const bool moves = !path.motions[body].points.empty();
+      auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
+      labels.push_back(scene.label("shape:" + name, name,
+                                   body == 0 ? "shape.x.label" : "shape.y.label", type::kVertex,
+                                   middle, kPathNow));
+    }
+    if (path.motions[body].points.empty()) continue;
+    std::vector<Point> points;
+    for (const PositionedRun& run : scene.run.runs)
+      points.push_back(scene.at(centroid(in_plane(run.bodies[body].world))));
+    scene.add("path", Polyline{points});
+    for (std::size_t i = 1; i < points.size(); ++i)
+      scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
+    for (const Point& point : points) scene.disk("path.point", point, 3.0);
+    end_of_way(scene, points);
+    if (!scene.run.point_query())
+      scene.disk("path.now", points[static_cast<std::size_t>(scene.frame.run)], kPathNow);
+  }
+}
+
+}  // namespace
+
+const Layer kPath{.effect = {}, .on = Layer::On::world, .order = 160, .draw = path};
 
 }  // namespace gjkscope::layers

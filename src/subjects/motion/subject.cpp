@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::motion{
-    .layers = {&layers::kLastPosition, &layers::kGrownObstacle},
+    .layers = {&layers::kLastPosition, &layers::kGrownObstacle, &layers::kPath},
     .effects = {&effect_infos::kLastPosition, &effect_infos::kGrownObstacle},
 };
 

@@ -11,6 +11,7 @@ namespace gjkscope {
 namespace layers {
 extern const Layer kLastPosition;
 extern const Layer kGrownObstacle;
+extern const Layer kPath;
 }  // namespace layers
 
 namespace effect_infos {

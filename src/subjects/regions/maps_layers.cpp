@@ -7,7 +7,7 @@
 #include "subjects/regions/act.hpp"
 #include "subjects/regions/sign_map.hpp"
 #include "subjects/regions/subject.hpp"
-#include "subjects/regions/voronoi.hpp"
+#include "subjects/run/voronoi.hpp"
 
 namespace gjkscope::layers {
 namespace {

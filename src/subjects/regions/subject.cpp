@@ -9,8 +9,8 @@ const SubjectParts subjects::regions{
     .blocks = {&blocks::kSigns, &blocks::kOrders},
     .layers = {&layers::kRegions, &layers::kSigns, &layers::kMapDifference, &layers::kShortTest,
                &layers::kWrongPoint},
-    .effects = {&effect_infos::kVoronoiRegions, &effect_infos::kRegionOrders,
-                &effect_infos::kSignMap, &effect_infos::kMapDifference},
+    .effects = {&effect_infos::kRegionOrders, &effect_infos::kSignMap,
+                &effect_infos::kMapDifference},
 };
 
 }  // namespace gjkscope

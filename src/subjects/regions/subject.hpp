@@ -35,7 +35,6 @@ void orders(const Story& story, FrameText& text);
 }  // namespace captions
 
 namespace effect_infos {
-extern const EffectInfo kVoronoiRegions;
 extern const EffectInfo kRegionOrders;
 extern const EffectInfo kSignMap;
 extern const EffectInfo kMapDifference;

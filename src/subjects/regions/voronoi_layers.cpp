@@ -7,8 +7,8 @@
 #include "run/questions.hpp"
 #include "subjects/regions/act.hpp"
 #include "subjects/regions/subject.hpp"
-#include "subjects/regions/voronoi.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/run/voronoi.hpp"
 
 namespace gjkscope::layers {
 namespace {

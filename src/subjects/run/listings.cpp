@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "subjects/difference/act.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/weights/barycentric.hpp"
@@ -289,34 +288,6 @@ void support_listing(PanelBuilder& panel) {
   write_line(panel, "return V", {state, {}, best});
 }
 
-/// Catto 2010, slide "Building the Minkowski difference".
-void minkowski_listing(PanelBuilder& panel) {
-  const PositionedRun& positioned = panel.run.run(panel.frame);
-  const int per_x = static_cast<int>(positioned.y().world.size());
-  const auto [part, made] = *build_frame(panel.run, panel.frame);
-  const bool is_pair = part == BuildPart::pair;
-  const bool is_copy = part == BuildPart::copy;
-  const gjk::VertexPair pair{(made - 1) / per_x, (made - 1) % per_x};
-  const Lesson& lesson = panel.run.lesson;
-  write_line(panel, "points ← none", {part == BuildPart::start ? State::current : State::past});
-  write_line(panel, "for each vertex x of X",
-             {State::past, {}, is_pair || is_copy ? lesson.x().vertex_names[pair.x] : ""});
-  write_line(panel, "  for each vertex y of Y",
-             {State::past,
-              {},
-              is_pair   ? lesson.y().vertex_names[pair.y]
-              : is_copy ? "all"
-                        : ""});
-  write_line(panel, "    add y − x to the points",
-             {is_pair || is_copy ? State::current : State::past,
-              {},
-              is_pair ? panel.run.pair_name(pair) : ""});
-  write_line(panel, "Z ← convex hull of the points",
-             {part == BuildPart::hull  ? State::current
-              : part > BuildPart::hull ? State::past
-                                       : State::idle});
-}
-
 /// Catto 2010, slides on the data structures. The vertex is the newest of the simplex.
 void structures_listing(PanelBuilder& panel) {
   const WideSimplex& simplex = panel.state.simplex;
@@ -369,10 +340,7 @@ const Listing kStructures{.name = "structures",
 const Listing kSupport{
     .name = "support", .meaning = "support point of a polygon", .write = support_listing};
 const Listing kGjkPoint{.name = "gjk-point", .meaning = "point to convex polygon", .write = loop};
-const Listing kMinkowski{.name = "minkowski",
-                         .meaning = "Minkowski difference, pair by pair",
-                         .write = minkowski_listing,
-                         .act = "pairs"};
+
 const Listing kGjk{.name = "gjk", .meaning = "convex polygon to convex polygon", .write = loop};
 
 }  // namespace gjkscope::listings

@@ -2,8 +2,8 @@
 #include <array>
 
 #include "run/questions.hpp"
-#include "subjects/regions/voronoi.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/run/voronoi.hpp"
 #include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::acts {

@@ -5,7 +5,6 @@
 #include "outlines/polygon.hpp"
 #include "picture/story.hpp"
 #include "run/questions.hpp"
-#include "subjects/difference/subject.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::captions {

@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "outlines/polygon.hpp"
-#include "subjects/difference/minkowski.hpp"
-#include "subjects/motion/motion.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/weights/projection.hpp"
 #include "subjects/weights/subject.hpp"
@@ -33,7 +31,6 @@ constexpr std::size_t kMostDisks = 64;
 
 /// Radius of a vertex that has a name among others that have no disks.
 constexpr double kNamedRadius = 3.0;
-constexpr double kPathNow = 5.0;  // radius: where a shape is on its way
 /// Lines with less room than this, in pixels, would be one mass of colour: they are thin and pale.
 constexpr double kDense = 10.0;
 
@@ -130,8 +127,8 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
   // Names of corners of the hull stand outside of the shape, and these are what GJK can meet. Those
   // of the difference are made of them.
   std::vector<bool> on_hull(world.size(), false);
-  for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
-    on_hull[static_cast<std::size_t>(body == 0 ? corner.pair.x : corner.pair.y)] = true;
+  for (const int corner : convex_hull(in_plane(scene.positioned.bodies[body].world)))
+    on_hull[static_cast<std::size_t>(corner)] = true;
   for (const bool of_hull : {true, false}) {
     if (!of_hull && !has_room_inside) break;
     std::vector<int> candidates;
@@ -262,52 +259,6 @@ const Layer kShapes{.effect = {},
                     .key = [](const auto& scene) {
                       return EffectKey{scene.frame.run, -1, -1};
                     }};
-
-namespace {
-
-/// The end of a way, as an arrow: long enough to be seen, however short the last step is.
-void end_of_way(SceneBuilder& scene, const std::vector<Point>& points) {
-  constexpr double kLeast = 16.0;
-  const auto before = std::find_if(points.rbegin(), points.rend(), [&](const Point& point) {
-    return (point - points.back()).norm() >= kLeast;
-  });
-  if (before != points.rend()) scene.add("path.end", Arrow{*before, points.back()});
-}
-
-void path(SceneBuilder& scene) {
-  // Arrows stand in place of a way.
-  if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
-  const LessonPath& path = *scene.run.lesson.path_of_shapes;
-  // Without a number of frames a path is a set of places to be in, not a way between them.
-  if (path.frames == 0) return;
-  for (std::size_t body = 0; body < path.motions.size(); ++body) {
-    const Lesson& lesson = scene.run.lesson;
-    if (!scene.run.point_query()) {
-      const Point middle = scene.at(centroid(in_plane(scene.positioned.bodies[body].world)));
-      const std::string& name = lesson.bodies[body].name;
-      const bool moves = !path.motions[body].points.empty();
-      auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
-      labels.push_back(scene.label("shape:" + name, name,
-                                   body == 0 ? "shape.x.label" : "shape.y.label", type::kVertex,
-                                   middle, kPathNow));
-    }
-    if (path.motions[body].points.empty()) continue;
-    std::vector<Point> points;
-    for (const PositionedRun& run : scene.run.runs)
-      points.push_back(scene.at(centroid(in_plane(run.bodies[body].world))));
-    scene.add("path", Polyline{points});
-    for (std::size_t i = 1; i < points.size(); ++i)
-      scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
-    for (const Point& point : points) scene.disk("path.point", point, 3.0);
-    end_of_way(scene, points);
-    if (!scene.run.point_query())
-      scene.disk("path.now", points[static_cast<std::size_t>(scene.frame.run)], kPathNow);
-  }
-}
-
-}  // namespace
-
-const Layer kPath{.effect = {}, .on = Layer::On::world, .order = 160, .draw = path};
 
 namespace {
 

@@ -63,7 +63,6 @@ extern const Listing kTriangle;
 extern const Listing kStructures;
 extern const Listing kSupport;
 extern const Listing kGjkPoint;
-extern const Listing kMinkowski;
 extern const Listing kGjk;
 }  // namespace listings
 
@@ -71,7 +70,6 @@ namespace layers {
 
 extern const Layer kOtherNormal;
 extern const Layer kShapes;
-extern const Layer kPath;
 extern const Layer kQueryPoint;
 
 /// The name of a vertex, of X, Y or the difference, that the frame leaves without one; a disk where
@@ -130,6 +128,7 @@ namespace effect_infos {
 extern const EffectInfo kDirectionRules;
 extern const EffectInfo kHistory;
 extern const EffectInfo kOtherNormal;
+extern const EffectInfo kVoronoiRegions;
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -1,6 +1,6 @@
-#include "subjects/regions/voronoi.hpp"
+#include "subjects/run/voronoi.hpp"
 
-#include "subjects/regions/subject.hpp"
+#include "subjects/run/subject.hpp"
 
 namespace gjkscope {
 namespace {
