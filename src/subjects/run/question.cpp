@@ -103,7 +103,7 @@ class Asking {
   }
 
  private:
-  /// Where what is asked for happens, if not in the step that tells it.
+  /// The step after the one that answers: what is asked for may happen there.
   [[nodiscard]] const WideStep& next_step() const {
     return story_.trace.steps[static_cast<std::size_t>(story_.frame.answering_step) + 1];
   }
