@@ -33,7 +33,7 @@ struct LabelRequest {
 
 /// A label farther than this from what it names has a line that leads there, in pixels.
 inline constexpr double kLeaderFrom = 13.0;  // beyond the gap
-/// That line; none where the label is near.
+/// The line from a far label to what it names; none where the label is near.
 [[nodiscard]] std::optional<Obstacles::Segment> leader_line(const LabelRequest& request,
                                                             const Rect& label);
 
