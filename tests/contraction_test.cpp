@@ -8,7 +8,7 @@
 
 namespace {
 
-/// What is left of a * b - c in some form.
+/// The rest of a * b - c in some form.
 template <class R>
 struct Form {
   const char* name;

@@ -1,4 +1,4 @@
-// What stands around the picture: bars, the list of lessons, the drawer, dialogs and messages.
+// The parts around the picture: bars, the list of lessons, the drawer, dialogs and messages.
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -592,7 +592,7 @@ void App::draw_status() {
   if (!pinned.empty()) draw_pinned(ImGui::GetItemRectMax().x);
 }
 
-/// What was said last, where it is too long for the line below.
+/// Draws the last message if it is too long for the line below.
 void App::draw_message() {
   const std::string& text = said();
   if (text.empty() || is_presenting() || fits_status(text)) return;

@@ -12,7 +12,7 @@ struct KeyPress {
   bool shift = false;
 };
 
-/// What a key, a button, a menu or the palette does.
+/// The action of a key, a button, a menu entry or a line of the palette.
 struct Command {
   std::string name;   ///< "Next step"
   std::string group;  ///< "Step"

@@ -1,5 +1,5 @@
 #pragma once
-// What is asked before all else: one at a time, in the middle of the window.
+// Dialogs, asked before all else: one at a time, in the middle of the window.
 
 #include <filesystem>
 #include <functional>

@@ -21,7 +21,7 @@ struct Drawer {
   std::function<void(bool is_open)> toggled = nullptr;
   /// A click on the picture; true when it was meant for this drawer, which need not be open.
   std::function<bool(const Subject&)> clicked = nullptr;
-  /// What is under the pointer on the picture.
+  /// The subject under the pointer on the picture.
   std::function<void(const Subject&)> pointed = nullptr;
   std::vector<Command> commands = {};
   /// Whether it waits for what is computed beside the window; it is drawn again until it has it.

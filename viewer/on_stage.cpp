@@ -55,7 +55,7 @@ void App::draw_on_stage() {
   if (door("Play: drag these shapes")) welcomes_ = false;
   if (door("Open a case or a lesson")) show_dialog(open_dialog(*this));
   ImGui::End();
-  // Who has begun needs no door.
+  // A user who has begun needs no door.
   if (session_.index() > 0 || !session_.undo_name().empty() || has_dialog()) welcomes_ = false;
 }
 

@@ -43,9 +43,8 @@ double PictureView::lay_out(const Rect& area, double density) {
   }
   // In steps, so that the fonts are not built anew for every pixel by which a window grows.
   constexpr double kSteps = 32.0;
-  // Where there is no room for the usual page, the page becomes narrower, down to kNarrow; then
-  // type becomes smaller, down to 12 pixels; then the page becomes narrower again, down to
-  // kNarrowest.
+  // The page becomes narrower, down to kNarrow, when there is no room for the usual one; then type
+  // becomes smaller, down to 12 pixels; then the page becomes narrower again, down to kNarrowest.
   const double usual = std::min(size.x() / smallest.width, size.y() / smallest.height);
   const double across =
       std::max(size.x() / kNarrow, std::min(kReadable * density, size.x() / kNarrowest));

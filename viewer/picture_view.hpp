@@ -33,7 +33,7 @@ class PictureView {
   void take_pointer();
   /// The button went down for the first time, or for the second within a moment.
   void clicked(int times) { clicks_ = times; }
-  /// What is held is let go.
+  /// Lets go of what is held.
   void release();
 
   [[nodiscard]] const Subject& hovered() const { return hovered_; }
@@ -65,7 +65,7 @@ class PictureView {
     std::optional<std::size_t> convex = std::nullopt;
   };
 
-  /// What was shown when a step was taken, and when that was.
+  /// The picture when a step was taken, and the time of that.
   struct Motion {
     Picture from;
     double start = 0.0;

@@ -1,6 +1,6 @@
 #pragma once
-// Who gets which part of the window. Below some size the bars fold before the stage shrinks, and
-// what has no room beside the stage lies over it.
+// The division of the window among its parts. Below some size the bars fold before the stage
+// shrinks, and what has no room beside the stage lies over it.
 
 #include <optional>
 

@@ -8,7 +8,7 @@ namespace gjkscope {
 
 struct SystemFont {
   std::string file;
-  int index = 0;  ///< Of the face in its file.
+  int index = 0;  ///< The face in its file.
   std::u32string characters;
 };
 

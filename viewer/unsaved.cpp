@@ -31,7 +31,7 @@ int lock_of(const fs::path& path, int flags) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | flags, 0666);
   if (file < 0) return -1;
   struct stat there = {};
-  // Who removes a lock has it: the name may be gone by the time that the lock is ours.
+  // The lock's owner may remove it: its name may be gone by the time that the lock is ours.
   if (::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &there) == 0 && there.st_nlink > 0)
     return file;
   ::close(file);

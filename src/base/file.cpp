@@ -40,7 +40,7 @@ class TemporaryFile {
         name_(temporary_name(final_)),
         descriptor_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) fail();
-    // Where the system keeps no permissions there are none to keep.
+    // Keeps the permissions of the file that it replaces, on systems that have permissions.
     struct stat old = {};
     if (::stat(final_.c_str(), &old) == 0) (void)::fchmod(descriptor_, old.st_mode & 0777);
   }

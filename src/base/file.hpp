@@ -49,8 +49,8 @@ void remove_leftovers(const std::filesystem::path& folder);
 /// Throws std::runtime_error, naming the file, where it may not.
 void refuse_foreign(const std::filesystem::path& file);
 
-/// Where lessons/ and assets/ are: $GJKSCOPE_SHARE; else share/gjkscope beside the folder of the
-/// program, if it is there; else the source tree that the program was built from.
+/// The folder of lessons/ and assets/: $GJKSCOPE_SHARE; else share/gjkscope beside the folder of
+/// the program, if it is there; else the source tree that the program was built from.
 [[nodiscard]] std::filesystem::path share_folder();
 
 }  // namespace gjkscope

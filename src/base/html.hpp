@@ -1,5 +1,5 @@
 #pragma once
-// What pages and SVG are made of.
+// Helpers for pages and SVG.
 
 #include <string>
 #include <string_view>

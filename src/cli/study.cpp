@@ -194,7 +194,7 @@ template <class Row>
 struct PerLesson {
   std::function<std::vector<Row>(const Lesson&, const std::function<bool()>&)> measure;
   std::function<std::string(const std::vector<Row>&)> table;
-  std::function<std::string(const std::vector<Row>&)> text;  ///< Of the file.
+  std::function<std::string(const std::vector<Row>&)> text;  ///< The text of the file.
   std::string_view file;
 
   [[nodiscard]] int run(const Environment& env, LessonChoice choice,

@@ -1,5 +1,5 @@
 #pragma once
-// What goes with the frames of a lesson: the sidecar file, and the page that shows all of them.
+// Files beside the frames of a lesson: the sidecar file, and the page that shows all frames.
 
 #include <filesystem>
 #include <string>
@@ -23,7 +23,7 @@ struct ExportedLesson {
   std::string theme;
   int width = 0;
   int height = 0;
-  int steps = 0;  ///< Of the lesson; `frames` may be some of them.
+  int steps = 0;  ///< Steps of the lesson; `frames` may be some of them.
   std::vector<ExportedFrame> frames;
 };
 

@@ -133,7 +133,7 @@ std::string frame_name(const std::string& id, int step, Format format, int betwe
                      : fmt::format("{}-{:04}.{}", id, step, ending);
 }
 
-/// Of the slides in `tex`. LaTeX makes a PDF that is called as the document is: not these pages.
+/// The PDF of pages for the slides in `tex`. LaTeX names its own PDF after the document.
 std::filesystem::path pages_of(const std::filesystem::path& tex) {
   return tex.parent_path() / (tex.stem().string() + "-pages.pdf");
 }
@@ -269,7 +269,7 @@ class Exporter {
     return true;
   }
 
-  /// What describes the frames comes after them.
+  /// Writes the files that describe the frames, after the frames.
   void finish(ExportResult& result, bool complete) {
     writer_.finish();
     const std::set<std::filesystem::path> kept(files_.begin(), files_.end());
@@ -306,7 +306,7 @@ class Exporter {
     if (const auto& file = lesson.table.file) way.made_from.add(*file->text);
     EffectGraph effects(way.run);
     way.texts = lesson_texts(way.run, effects);
-    // What is on the way from frame to frame is seen only in pictures.
+    // The files between two frames are known only once pictures are made.
     const bool has_more_files = options_.fps > 0 && has_file_per_frame(options_.format);
     if (is_up_to_date(way) && !has_more_files) return way;
     for (FramePicture& each : lesson_pictures(way.run, effects, fonts_, page_)) {
@@ -556,7 +556,7 @@ class Exporter {
   Fonts fonts_;
   Theme theme_;
   Page page_;
-  std::unique_ptr<Canvas> canvas_;  ///< Of films; made when the first frame is painted.
+  std::unique_ptr<Canvas> canvas_;  ///< For films; made when the first frame is painted.
   FrameWriter writer_;
   Fingerprint made_from_;
   Progress* progress_ = nullptr;

@@ -14,7 +14,7 @@
 
 namespace gjkscope {
 
-/// Where captions go: they stay in the frame, are left out, or go into a text file beside it.
+/// The place of captions: in the frame, nowhere, or in a text file beside it.
 enum class CaptionPlace { below, none, file };
 
 struct ExportOptions {
@@ -36,7 +36,7 @@ struct ExportOptions {
   std::optional<int> first_step;  ///< From 1; frames A..B of each lesson, all without.
   std::optional<int> last_step;   ///< Past the last frame means: to the last.
   int jobs = 0;                   ///< Threads that paint, encode and write; 0: one a processor.
-  Renderer renderer = Renderer::cairo;  ///< What draws pixels.
+  Renderer renderer = Renderer::cairo;  ///< The library that draws pixels.
   bool questions = true;                ///< Frames that ask are among them.
   bool index = false;     ///< png: also write index.html, the contact sheet of these lessons.
   bool progress = false;  ///< Say on stderr what is being done.
@@ -68,7 +68,7 @@ struct ExportResult {
 [[nodiscard]] ExportResult export_lessons(const std::vector<Lesson>& lessons,
                                           const ExportOptions& options);
 
-/// What `export --json` prints.
+/// The output of `export --json`.
 [[nodiscard]] std::string to_json(const ExportResult& result);
 
 }  // namespace gjkscope

@@ -339,8 +339,8 @@ class FfmpegFilm : public Film {
   }
 
  private:
-  /// What ffmpeg said: errors alone. It ends well after some, a disk that is full at last among
-  /// them.
+  /// The errors that ffmpeg printed. It ends well in spite of some, such as a disk that is full at
+  /// the end.
   [[nodiscard]] std::string said() const {
     std::string text(static_cast<std::size_t>(std::max<off_t>(0, ::lseek(words_, 0, SEEK_END))),
                      '\0');
@@ -399,7 +399,7 @@ class FfmpegFilm : public Film {
   std::stop_token stop_;
   pid_t process_ = 0;
   int pipe_ = -1;
-  int words_ = -1;  ///< Where it says what went wrong.
+  int words_ = -1;  ///< The file that ffmpeg writes its errors to.
   bool kept_ = false;
 };
 

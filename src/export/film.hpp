@@ -12,7 +12,7 @@
 namespace gjkscope {
 
 struct FilmWords {
-  std::string comment;  ///< What the file says of itself to programs, in ASCII.
+  std::string comment;  ///< A comment in the file for programs, in ASCII.
   std::string title;
 };
 

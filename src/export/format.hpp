@@ -1,5 +1,5 @@
 #pragma once
-// What frames can be exported as.
+// Formats in which frames can be exported.
 
 #include <filesystem>
 #include <optional>

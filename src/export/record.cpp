@@ -128,14 +128,14 @@ std::optional<Record> find_record(std::span<const std::uint8_t> file) {
   } catch (const Json::exception&) {
     return std::nullopt;
   } catch (const std::bad_optional_access&) {
-    return std::nullopt;  // Of a case that is none.
+    return std::nullopt;  // A case could not be read.
   }
 }
 
 void Fingerprint::add(std::string_view bytes) {
   constexpr std::uint64_t kPrime = 0x100000001b3;
   for (const char byte : bytes) sum_ = (sum_ ^ static_cast<unsigned char>(byte)) * kPrime;
-  // Where one input ends belongs to it.
+  // The sum also depends on where each input ends.
   sum_ = (sum_ ^ bytes.size()) * kPrime;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What an exported file says of itself: which lesson, which step, which case, made from what.
+// The record that a file holds of its export: lesson, steps, cases, and what it was made from.
 
 #include <cstdint>
 #include <optional>
@@ -22,9 +22,9 @@ struct RecordedFrame {
 };
 
 struct Record {
-  std::string lesson;  ///< Its id,
-  std::string toml;    ///< and its file, from which it can be read again.
-  std::string key;     ///< Of all that the file was made from, as `Fingerprint` has it.
+  std::string lesson;                 ///< Its id,
+  std::string toml;                   ///< and its file, from which it can be read again.
+  std::string key;                    ///< The Fingerprint of all that the file was made from.
   std::vector<RecordedFrame> frames;  ///< Those that the file shows.
 };
 

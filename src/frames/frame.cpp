@@ -56,7 +56,7 @@ std::string magnification(double times) {
 
 using Cards = std::vector<Rect>;
 
-/// Where everything is; the same for all frames of a lesson.
+/// The places of all parts; the same for all frames of a lesson.
 struct Layout {
   Cards views;
   std::optional<Rect> panel;
@@ -93,7 +93,7 @@ Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const
   Layout layout;
   layout.timeline = {{kMargin, height - kMargin - kTimelineHeight + 14.0},
                      {width - kMargin, height - kMargin + 14.0}};
-  const double end = bare ? height - 20.0 : layout.timeline.min.y() - 32.0;  // Of the words
+  const double end = bare ? height - 20.0 : layout.timeline.min.y() - 32.0;  // of the words
   const double bottom = bare && !captions ? height : end - caption_lines * kCaptionLine;
   layout.caption_y = bottom + 33.0;
   layout.prose_y = 70.0;
@@ -152,7 +152,7 @@ std::string default_title(const LessonRun& run, const LessonView& view) {
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y().name, run.lesson.x().name);
 }
 
-/// Where it takes two lines, "Z = Y − X" is the second.
+/// The lines of a title. When it takes two lines, "Z = Y − X" is the second.
 std::vector<std::string> title_lines(const Fonts& fonts, const std::string& title, double width) {
   const std::size_t equation = title.find(" Z = ");
   if (equation == std::string::npos || fonts.width(type::kViewTitle, title) <= width)
@@ -251,7 +251,7 @@ struct LessonPictures::View {
   ShownView shown;
   LessonView of;
   LabelPlacer placer;
-  std::vector<std::optional<Scene>> scenes;  ///< Of each frame, once it was asked for.
+  std::vector<std::optional<Scene>> scenes;  ///< One for each frame, once it was asked for.
   StillLayers still_layers = {};
   bool has_fixed_labels = false;
   std::set<std::string> left_out = {};  ///< Ids of fixed labels without room.
@@ -261,7 +261,7 @@ struct LessonPictures::View {
   int clip = -1;  ///< Index in the picture that is drawn.
   std::unique_ptr<View> close_up = nullptr;
 
-  /// Where no label may be.
+  /// Keeps labels off the title and the close-up.
   void reserve() {
     placer.reserve(title_box);
     if (close_up) placer.reserve(close_up->shown.card);
@@ -471,7 +471,7 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
         roles[at].insert(roles[at].end(), mark.role);
     }
     for (const LegendEntry& entry : legend_entries(run_)) {
-      // Where no run is followed, words do not speak of S.
+      // In a point query words speak of S only when a run is followed.
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
@@ -487,7 +487,7 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
   return explained_[index * views_.size() + view];
 }
 
-/// What was explained before this frame and has marks in it, then what is new.
+/// Entries whose marks are in this frame, in the order in which they were first explained.
 std::vector<LegendRow> LessonPictures::standing_legend(std::size_t index) {
   std::vector<LegendRow> rows;
   for (const LegendEntry& entry : explained_marks_) {
@@ -501,7 +501,7 @@ std::vector<LegendRow> LessonPictures::standing_legend(std::size_t index) {
 
 namespace {
 
-/// What a panel's marks leave free at its lower end.
+/// The free part of a panel below its marks.
 Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
   constexpr double kGap = 8.0;
   constexpr double kDescent = 0.3;  // of a letter's size

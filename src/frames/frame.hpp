@@ -26,8 +26,8 @@ struct FramePicture {
   FrameText text;
 };
 
-/// What frames are laid out on: at least 1280 x 720 frame pixels (in a window 760 x 720), `zoom`
-/// pixels of the image each.
+/// The area on which frames are laid out: at least 1280 x 720 frame pixels (in a window 760 x 720),
+/// `zoom` pixels of the image each.
 /// Type keeps its proportion to the page whatever the size of the image.
 struct Page {
   double width = 1280.0;
@@ -36,14 +36,14 @@ struct Page {
   /// Holds the stages alone, from edge to edge, and may be smaller: the words, the panel and the
   /// timeline are shown by other means.
   bool bare = false;
-  bool captions = false;  ///< Of a bare page: the caption stands below its stages.
+  bool captions = false;  ///< On a bare page: the caption stands below its stages.
   friend bool operator==(const Page&, const Page&) = default;
 };
 /// The page of an image of `width` x `height` pixels.
 [[nodiscard]] Page page_of(int width, int height);
 
-/// What places of labels are chosen for: all frames of the lesson, so that labels stay where they
-/// are from frame to frame; or the first frame drawn alone, which is quicker.
+/// The frames for which places of labels are chosen: all of the lesson, so that labels stay in
+/// place from frame to frame; or the first frame drawn alone, which is quicker.
 enum class LabelScope { lesson, frame };
 
 /// A camera in place of the lesson's. What it shows in a card of this aspect stays in sight when
@@ -114,7 +114,7 @@ class LessonPictures {
   bool stacked_ = false;
   std::vector<FrameText> texts_;
   std::vector<View> views_;
-  /// What is explained in each frame of each view: marks where they are shown first.
+  /// Explanations in each frame of each view: those of the marks that are shown first there.
   std::vector<std::vector<LegendEntry>> explained_;
   std::vector<LegendEntry> explained_marks_;  ///< All of these, in this order.
   std::optional<Rect> panel_;

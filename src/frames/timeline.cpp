@@ -55,7 +55,7 @@ std::string brief(std::string label) {
 struct PlacedTick {
   const Tick* tick = nullptr;
   double center = 0.0;
-  bool is_named = false;  ///< Of the current group.
+  bool is_named = false;  ///< It belongs to the current group.
   bool is_current = false;
   [[nodiscard]] bool is_event() const { return tick->event || tick->question; }
 };
@@ -119,7 +119,7 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
   const int questions =
       static_cast<int>(std::count_if(run.frames.begin(), run.frames.end(),
                                      [](const Frame& frame) { return frame.question >= 0; }));
-  // Where a question is asked last, an end of the bar at the end would tell the answer.
+  // Some room is hidden if there are questions: the end of the bar would tell a last one's answer.
   const double rest = questions > 0 ? kHiddenRest : 0.0;
   const auto width_beside = [&](double first, int others) {
     return std::min(kWidest,
@@ -135,7 +135,7 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
     first_width = first_label - kGroupGap + kBetween;
     width = width_beside(first_width, count - questions - 1);
   }
-  // What comes after the next question would answer it: a bar without ticks.
+  // Frames after the next question would answer it: they are a bar without ticks.
   const auto question = std::find_if(run.frames.begin() + current, run.frames.end(),
                                      [](const Frame& frame) { return frame.question >= 0; });
   const int last = std::min(static_cast<int>(question - run.frames.begin()), count - 1);

@@ -15,7 +15,7 @@ struct TableKind;
 /// A file that a table names.
 struct NamedFile {
   std::string path;                         ///< As seen from the lesson's folder.
-  std::shared_ptr<const std::string> text;  ///< What stood in it; never nullptr.
+  std::shared_ptr<const std::string> text;  ///< The content of the file; never nullptr.
 };
 
 /// A value of a type T that has == and `static const TableKind kKind`. Copies share the value

@@ -16,14 +16,14 @@ namespace gjkscope {
 struct Lesson;
 struct PositionedRun;
 
-/// What an algorithm did with the shapes of one run.
+/// A record of what an algorithm did with the shapes of one run.
 class AlgorithmTrace {
  public:
   virtual ~AlgorithmTrace() = default;
   [[nodiscard]] virtual int steps() const = 0;
-  /// Where a step is. `step`: from 0, less than steps().
+  /// The place of a step in the algorithm. `step`: from 0, less than steps().
   [[nodiscard]] virtual StepInfo info(int step) const = 0;
-  /// What it comes to, by the name of one of Algorithm::answers; NaN where it has no such answer.
+  /// The answer of this name, one of Algorithm::answers; NaN without such an answer.
   [[nodiscard]] virtual double answer(std::string_view name) const = 0;
   /// Why it ended: one of Algorithm::stops; empty where it has no stop reasons.
   [[nodiscard]] virtual std::string_view stop() const { return {}; }
@@ -37,7 +37,7 @@ struct Algorithm {
   std::string_view name;                      ///< "depth": its key in a trace.
   std::span<const std::string_view> phases;   ///< In the order of their numbers.
   std::span<const std::string_view> answers;  ///< Those that `expect.answer` can check.
-  std::span<const PlaceholderInfo> values;    ///< What prose can name of it.
+  std::span<const PlaceholderInfo> values;    ///< The values that prose can name.
   /// `before`: what it did in the run before, along a path; nullptr in the first.
   std::shared_ptr<const AlgorithmTrace> (*run)(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace* before) = nullptr;

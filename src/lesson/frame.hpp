@@ -1,12 +1,12 @@
 #pragma once
-// What one frame of a lesson shows: a run, a step of it, and, where frames take a step apart, which
-// part of it.
+// The content of one frame of a lesson: a run, a step of it, and a part of the step when frames
+// take a step apart.
 
 #include <string_view>
 
 namespace gjkscope {
 
-/// Where in its algorithm a step is.
+/// The place of a step in its algorithm.
 struct StepInfo {
   int iteration = 0;       ///< From 1; 0 before the first.
   std::string_view phase;  ///< "support"; "start" before the first.
@@ -25,7 +25,7 @@ struct Frame {
 
   int question = -1;        ///< Index into Lesson::questions: this frame asks it, over what the
                             ///< frame before it shows; the next frame that asks nothing answers.
-  int answering_step = -1;  ///< Of a frame that asks: index of the step that answers, among those
+  int answering_step = -1;  ///< For a frame that asks: index of the step that answers, among those
                             ///< of the algorithm that the act shows.
 };
 

@@ -18,7 +18,7 @@ namespace gjkscope {
 
 enum class ScalarKind { half, single, double_, exact };
 
-/// Of `start` the pairs that count.
+/// Compares `start` by the pairs that count.
 [[nodiscard]] inline bool operator==(const gjk::Options& a, const gjk::Options& b) {
   return a.direction_rule == b.direction_rule && a.region_order == b.region_order &&
          a.stop_on_repeated_support == b.stop_on_repeated_support &&
@@ -55,7 +55,7 @@ struct LessonShape {
   friend bool operator==(const LessonShape&, const LessonShape&) = default;
 };
 
-/// What the bodies are called in files: tables [shapes.X] and [shapes.Y].
+/// The names of the bodies in files: tables [shapes.X] and [shapes.Y].
 inline constexpr std::array<std::string_view, 2> kBodyKeys = {"X", "Y"};
 
 enum class ViewKind { world, difference, plot };
@@ -63,8 +63,8 @@ enum class ViewKind { world, difference, plot };
 /// These views have a camera, and take effects; plots have neither.
 [[nodiscard]] constexpr bool shows_shapes(ViewKind kind) { return kind != ViewKind::plot; }
 
-/// What a view shows: the rectangle around `center` that is `height` world units high (wider or
-/// narrower with the stage). Without a camera the view fits what it draws.
+/// The part of the world that a view shows: the rectangle around `center` that is `height` world
+/// units high (wider or narrower with the stage). Without a camera the view fits what it draws.
 struct Camera {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double height = 1.0;
@@ -121,8 +121,8 @@ struct LessonPath {
   friend bool operator==(const LessonPath&, const LessonPath&) = default;
 };
 
-/// What a frame asks before a step answers it. The answer is the step's of the run, so any shapes
-/// make a question.
+/// A question that a frame asks before a step answers it. The answer comes from the step of the
+/// run, so questions can be asked about any shapes.
 struct LessonQuestion {
   std::string ask;        ///< One that the act can ask (Act::asks): "support".
   std::optional<int> at;  ///< The iteration that answers, or the part asked about, from 1; without
@@ -130,9 +130,9 @@ struct LessonQuestion {
   friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
 };
 
-/// What the run must come to; the last run of a path. `check` and the tests compare.
+/// The expected outcome of the run; on a path, of its last run. `check` and the tests compare.
 struct Expectation {
-  std::optional<std::string> stop;  ///< Of GJK; where it is not run, of the act's algorithm.
+  std::optional<std::string> stop;  ///< GJK's; when it is not run, that of the act's algorithm.
   std::optional<std::vector<std::string>>
       supports;  ///< One name for each support phase: "C", or "K-C" for a pair y-x.
   std::optional<double> distance;  ///< To the digits written.
@@ -143,7 +143,7 @@ struct Expectation {
 
 struct Lesson {
   std::string id;    ///< File name without ending.
-  std::string path;  ///< Where it was read from.
+  std::string path;  ///< The file that it was read from.
   std::string title;
   int chapter = 1;
   int order = 1;  ///< Within the chapter.
@@ -154,7 +154,7 @@ struct Lesson {
 
   std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.
   ScalarKind scalar = ScalarKind::double_;
-  std::optional<ScalarKind> beside;  ///< Of a second run, for the effect "second-run".
+  std::optional<ScalarKind> beside;  ///< The scalar of a second run, for the effect "second-run".
   /// Start at the first vertices, unless told otherwise.
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
@@ -167,7 +167,7 @@ struct Lesson {
 
   std::vector<LessonView> views;
   std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.
-  std::string listing;             ///< What the pseudocode block shows; empty: nothing.
+  std::string listing;             ///< The content of the pseudocode block; empty: nothing.
   std::vector<LessonQuestion> questions;
   Expectation expect;
 

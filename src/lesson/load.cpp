@@ -84,12 +84,12 @@ class LessonReader {
   std::filesystem::path folder_;
   const FileReader& read_file_;
   Lesson lesson_;
-  double largest_ = limits::kLargest;  ///< Of a coordinate, in the lesson's scalar.
+  double largest_ = limits::kLargest;  ///< The largest coordinate in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
   Field warm_;
-  std::array<ShapePlace, kBodyKeys.size()> places_;  ///< Of the bodies.
-  std::array<Field, kBodyKeys.size()> outlines_;     ///< Of the bodies.
-  std::array<Field, kBodyKeys.size()> radii_;        ///< Of the bodies.
+  std::array<ShapePlace, kBodyKeys.size()> places_;  ///< One for each body.
+  std::array<Field, kBodyKeys.size()> outlines_;     ///< One for each body.
+  std::array<Field, kBodyKeys.size()> radii_;        ///< One for each body.
   Field beside_;
   bool act_is_known_ = true;  ///< False: the file names one that there is not.
   std::map<std::string, int> line_of_vertex_name_;

@@ -36,9 +36,9 @@ struct LoadedLesson {
                                         const Vocabulary& vocabulary,
                                         const FileReader& read = read_file);
 
-/// Where a key of a lesson file stands; for problems found only after loading. Keys are dotted,
-/// entries of lists are numbered from 0: "expect.distance", "views.1.title", "shapes.X.names.2".
-/// Where the file has no such key: its nearest parent that is there, at last 1, 1.
+/// The place of a key in a lesson file; for problems found only after loading. Keys are dotted,
+/// entries of lists are numbered from 0: "expect.distance", "views.1.title", "shapes.X.names.2". If
+/// the file has no such key: its nearest parent that is there, at last 1, 1.
 [[nodiscard]] Place place_of_key(const std::filesystem::path& file, std::string_view dotted_key);
 
 /// Lesson files (*.toml) of a folder in teaching order (chapter, order, id), then those that have
@@ -46,8 +46,8 @@ struct LoadedLesson {
 [[nodiscard]] std::vector<LoadedLesson> load_lessons(const std::filesystem::path& folder,
                                                      const Vocabulary& vocabulary);
 
-/// What the vertices of shape "X" or "Y" are called where a file does not name them: a single one
-/// like the shape, else x1, x2, ... or y1, y2, ...
+/// Names for the vertices of shape "X" or "Y" when a file does not name them: a single one is
+/// called like the shape, others x1, x2, ... or y1, y2, ...
 [[nodiscard]] std::vector<std::string> default_vertex_names(const LessonShape& shape,
                                                             std::string_view key);
 

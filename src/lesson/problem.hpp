@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a file, where, and what was expected.
+// A problem in a file: what is wrong, where, and what was expected.
 
 #include <compare>
 #include <string>

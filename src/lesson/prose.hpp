@@ -37,7 +37,7 @@ inline constexpr std::array<PlaceholderInfo, 18> kPlaceholders = {{
     {"y", "name of shape Y"},
 }};
 
-/// What stands for a placeholder that has no value at a step.
+/// Stands for a placeholder that has no value at a step.
 inline constexpr std::string_view kNoValue = "–";
 
 /// A piece of prose: text to show as it stands (`{{` already undoubled), the name of a placeholder,

@@ -16,7 +16,7 @@ namespace gjkscope {
 /// it would have without. For every lesson that was loaded, parse_lesson gives it back, to the bit,
 /// and its text is the same again.
 ///
-/// What a file cannot say is left out: `id` and `path`, which are the file's, `options.proof`,
+/// Leaves out all that a file cannot say: `id` and `path`, which are the file's, `options.proof`,
 /// and what the lesson does not have: a required key is missing then, and loading says which.
 /// Texts must be UTF-8, numbers finite, and the vertices of `options.start` there.
 [[nodiscard]] std::string lesson_toml(const Lesson& lesson);

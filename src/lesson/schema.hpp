@@ -13,8 +13,8 @@ namespace gjkscope {
 struct LessonKey {
   std::string table;
   std::string key;
-  std::string type;       ///< What a message says was expected.
-  std::string otherwise;  ///< What holds when the key is missing; kRequired: it must be there.
+  std::string type;       ///< The expected type, as a message calls it.
+  std::string otherwise;  ///< Holds when the key is missing; kRequired: it must be there.
   std::string meaning;
 };
 
@@ -46,10 +46,10 @@ inline constexpr int kShapeNameLength = 12;
 inline constexpr int kVertexNameLength = 3;
 inline constexpr int kLastChapter = 99;
 inline constexpr int kLastOrder = 99;
-inline constexpr int kVertices = 10000;       ///< Of one shape: a limit of drawing, not of GJK.
+inline constexpr int kVertices = 10000;       ///< In one shape: a limit of drawing, not of GJK.
 inline constexpr int kDifferences = 1000000;  ///< y - x, where an effect is made of all of them.
 inline constexpr int kPositions = 500;        ///< On a path.
-inline constexpr double kShortest = 0.001;    ///< Of a motion, in seconds.
+inline constexpr double kShortest = 0.001;    ///< The shortest motion, in seconds.
 inline constexpr double kLongest = 3600.0;
 inline constexpr double kTurn = 360.0;          ///< Degrees.
 inline constexpr int kScannedVertices = 20000;  ///< Vertices of both shapes times positions.

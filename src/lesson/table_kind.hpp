@@ -13,21 +13,21 @@
 
 namespace gjkscope {
 
-/// What a table is read from.
+/// Everything that a table is read from.
 struct TableSource {
   const toml_file::Table& table;
-  Place place;  ///< Of the table.
+  Place place;  ///< The place of the table.
   toml_file::Reader& reader;
   toml_file::Problems& problems;
   const Lesson& lesson;                 ///< Its shapes, query and path have been read.
-  const std::filesystem::path& folder;  ///< That of the lesson.
+  const std::filesystem::path& folder;  ///< The lesson's folder.
   const FileReader& read_file;          ///< Use this one: a page has its files in memory.
 };
 
 /// An act names the one that it takes (ActNeeds::table).
 struct TableKind {
   std::string_view name;     ///< "growth": it is written [growth].
-  std::string_view meaning;  ///< What it holds.
+  std::string_view meaning;  ///< The content of the table, in words.
   /// Those of [growth] and of the tables in it: LessonKey::table is "growth", "growth.times".
   /// The key `growth` itself comes from lesson_keys.
   std::vector<LessonKey> (*keys)();

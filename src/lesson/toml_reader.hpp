@@ -23,8 +23,8 @@ namespace gjkscope::toml_file {
 /// A value of the file; absent where the key is missing or its value was refused already.
 struct Field {
   const toml::node* node = nullptr;
-  std::string label;     ///< What messages call it: "'vertices', entry 3".
-  std::string expected;  ///< What it should be.
+  std::string label;     ///< The name that messages use: "'vertices', entry 3".
+  std::string expected;  ///< A description of the value that it should be.
 
   explicit operator bool() const { return node != nullptr; }
   [[nodiscard]] Place place() const;

@@ -15,7 +15,7 @@ namespace {
 constexpr int kWidth = 120;  // characters of a line that can be broken
 constexpr std::string_view kIndent = "    ";
 
-/// What stands between the quotes.
+/// The text as it stands between the quotes.
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -32,8 +32,8 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// Where a line of TOML's long texts may begin. Parsers skip what they take for a blank: ' ' and,
-/// some of them, Unicode's, which are in the ranges left out here.
+/// True when a line of TOML's long texts may begin with `c`. Parsers skip what they take for a
+/// blank: ' ' and, some of them, Unicode's, which are in the ranges left out here.
 bool may_begin_line(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return (byte > ' ' && byte < 0x80) || (byte >= 0xC3 && byte < 0xE0);

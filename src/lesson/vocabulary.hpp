@@ -1,7 +1,7 @@
 #pragma once
-// What a lesson file can hold though it is defined above this folder: acts and their tables, panel
-// blocks, listings and effects. The loader is handed all of them, and looks up names and needs;
-// lesson/ names none.
+// Names that a lesson file can use though they are defined above this folder: acts and their
+// tables, panel blocks, listings and effects. The loader is handed all of them, and looks up names
+// and needs; lesson/ names none.
 
 #include <Eigen/Geometry>
 #include <span>
@@ -27,13 +27,13 @@ class Fonts;
 /// Whether a table [path] goes with an act.
 enum class PathUse { refused, possible, needed };
 
-/// What an act needs of a lesson.
+/// Requirements of an act on a lesson.
 struct ActNeeds {
   /// The table that the act takes; nullptr: none. A lesson has no other act's table.
   const TableKind* table = nullptr;
   PathUse path = PathUse::possible;
   int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
-  int most_vertices = 0;      ///< Of each shape; 0: as many as a lesson may have.
+  int most_vertices = 0;      ///< In each shape; 0: as many as a lesson may have.
   bool takes_phases = false;  ///< `steps.phases` may choose among its frames.
   bool takes_radius = false;  ///< Shapes may have a radius: its frames tell how the run ends.
   std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
@@ -45,7 +45,7 @@ struct ActNeeds {
 /// A question that frames of an act can ask.
 struct AskInfo {
   std::string_view name;                      ///< "support"
-  std::string_view meaning;                   ///< What is asked for.
+  std::string_view meaning;                   ///< The thing asked for.
   std::string_view counted = "in iteration";  ///< How LessonQuestion::at counts.
 };
 
@@ -53,7 +53,7 @@ struct AskInfo {
 /// call an act the `granularity` of steps.
 struct Act {
   std::string_view name;     ///< "phase"
-  std::string_view meaning;  ///< What one frame is for, after "one frame for each".
+  std::string_view meaning;  ///< The purpose of one frame, after "one frame for each".
   ActNeeds needs = {};
   /// Appends the frames of run `index`.
   void (*add_frames)(LessonRun& run, int index) = nullptr;
@@ -68,7 +68,7 @@ struct Act {
                         const LessonQuestion& question) = nullptr;
   /// The frame that asks what `frame` answers, less its question; nullptr: the one before it.
   Frame (*asking)(const LessonRun& run, const Frame& frame) = nullptr;
-  /// What is shown.
+  /// The algorithm that the frames show.
   const Algorithm* algorithm = nullptr;
 
   /// Corrects what is known where a frame shows a part of its step; only of acts that take steps
@@ -115,7 +115,7 @@ struct Vocabulary {
   std::vector<const Act*> plots;  ///< Those that fill a view with a plot, called like the act.
   std::vector<Term> blocks;
   std::vector<Term> listings;
-  std::vector<Term> effects;    ///< That views can call for.
+  std::vector<Term> effects;    ///< Those that views can call for.
   std::vector<LessonKey> keys;  ///< All that a file may have: lesson_keys(acts).
 
   /// nullptr when there is none of this name.

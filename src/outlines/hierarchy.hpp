@@ -12,8 +12,8 @@
 
 namespace models {
 
-/// What a leaf bounds: all points within `radius` of the segment from a to b, which is, or is a
-/// part of, a segment of the model.
+/// The content of a leaf: all points within `radius` of the segment from a to b, which is a segment
+/// of the model or a part of one.
 struct Item {
   Point a;
   Point b;
@@ -93,7 +93,7 @@ template <class Volume>
 struct Node {
   Volume volume;
   int parent = -1;
-  int left = -1;  ///< Of a leaf -1, and so is `right`.
+  int left = -1;  ///< -1 in a leaf, and so is `right`.
   int right = -1;
   int first = 0;  ///< Its share: Hierarchy::items [first, first + count).
   int count = 0;
@@ -187,7 +187,7 @@ class Builder {
 
 }  // namespace detail
 
-/// Of at least one item. O(n log n).
+/// Needs at least one item. O(n log n).
 template <class Volume>
 [[nodiscard]] Hierarchy<Volume> build_hierarchy(std::vector<Item> items) {
   return detail::Builder<Volume>(std::move(items)).build();

@@ -57,7 +57,7 @@ void look(WalkState& state, const WalkQuery& query, bool of_a, WalkStep& note) {
     const Point& v = at(ring, own.index);
     test({false, own.index}, false, toward(v, at(ring, after), other, theirs) > 0);
     test({false, before}, false, toward(v, at(ring, before), other, theirs) > 0);
-    // Where the outline goes straight on, the borders leave what lies right behind the vertex, too.
+    // At a straight vertex the borders leave what lies right behind the vertex, too.
     if (query.convex && turn(at(ring, before), v, at(ring, after)) == 0)
       test({false, own.index}, true, turn(v, at(ring, after), at(other, theirs.index)) > 0);
   } else if (query.convex && theirs.is_vertex) {

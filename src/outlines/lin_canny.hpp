@@ -73,19 +73,19 @@ struct WalkQuery {
   /// Pairs of features that there are: vertices and edges of the one with those of the other.
   [[nodiscard]] int pairs() const { return 4 * a.size() * b.size(); }
 };
-/// Of models of one closed outline each that does not meet itself.
+/// The models must have one closed outline each that does not meet itself.
 [[nodiscard]] WalkQuery walk_query(const Model& a, const Model& b);
 
 /// Runs the phase `state.phase`; `note` takes what it looks at.
 void step(WalkState& state, const WalkQuery& query, WalkStep& note);
 
-/// Where a walk ended.
+/// The end of a walk.
 struct WalkResult {
-  Answer answer;  ///< Of `local_minimum` that of the local minimum.
+  Answer answer;  ///< After `local_minimum` that of the local minimum.
   WalkStop stop = WalkStop::running;
-  Flaw flaw;  ///< Of `refused`: why.
+  Flaw flaw;  ///< The reason for `refused`.
   bool flaw_in_b = false;
-  RingFeature a;  ///< Where to start the next time.
+  RingFeature a;  ///< The start for the next time.
   RingFeature b;
   int steps = 0;  ///< Pairs of features that were looked at.
 };

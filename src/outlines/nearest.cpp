@@ -61,7 +61,7 @@ struct Bounds {
   double high = std::numeric_limits<double>::infinity();
 };
 
-/// Of the distance of two points. Differences and squares are right to a unit roundoff each.
+/// Bounds of the distance of two points. Differences and squares are right to a unit roundoff each.
 Bounds point_bounds(const Point& p, const Point& q) {
   const double square = (p - q).squaredNorm();
   if (!is_safe(square)) return {};
@@ -69,7 +69,7 @@ Bounds point_bounds(const Point& p, const Point& q) {
   return {length * (1.0 - 4.0 * kRoundoff), length * (1.0 + 4.0 * kRoundoff)};
 }
 
-/// Of the distance of a point from the line through two others: |cross(b - a, p - a)| / |b - a|.
+/// Bounds of a point's distance from the line through two others: |cross(b - a, p - a)| / |b - a|.
 Bounds line_bounds(const Point& p, const Segment& s) {
   const Point way = s.b - s.a;
   const Point to = p - s.a;
@@ -97,7 +97,7 @@ Bounds bounds_of(const Point& p, const Segment& s, Spot spot) {
   return spot == Spot::between ? line_bounds(p, s) : point_bounds(p, end_of(s, spot));
 }
 
-/// What a distance is measured between: p and the point q, or the line from q to r.
+/// The ends of a distance: p and the point q, or p and the line from q to r.
 struct Measured {
   Point p;
   Point q;

@@ -12,7 +12,7 @@
 
 namespace models {
 
-/// Of the turn from a over b to c: 1 to the left, -1 to the right, 0 straight on.
+/// The turn from a over b to c: 1 to the left, -1 to the right, 0 straight on.
 [[nodiscard]] int turn(const Point& a, const Point& b, const Point& c);
 /// The sign of dot(b - a, p - a): 1 where p lies on b's side of the normal through a.
 [[nodiscard]] int along(const Point& a, const Point& b, const Point& p);
@@ -20,13 +20,13 @@ namespace models {
 [[nodiscard]] int alike(const Point& a, const Point& b, const Point& c, const Point& d);
 /// Whether two closed segments have a point in common.
 [[nodiscard]] bool meet(const Segment& a, const Segment& b);
-/// What a segment adds to the winding number of the outlines around `point`: 1 where it crosses the
+/// A segment's share in the winding number of the outlines around `point`: 1 where it crosses the
 /// ray to the right from there upward, -1 downward, else 0.
 [[nodiscard]] int winding(const Point& point, const Segment& segment);
 /// How often the closed outlines go around `point`, which lies on none of them.
 [[nodiscard]] int winding(const Point& point, const Model& model);
 
-/// Where on a segment.
+/// A place on a segment.
 enum class Spot : std::uint8_t { start, end, between };
 
 /// The closest features of two segments. Of several one, always the same.
@@ -40,7 +40,7 @@ struct Nearest {
   double high = 0.0;
 };
 [[nodiscard]] Nearest nearest(const Segment& a, const Segment& b);
-/// Which pair of segments is closer, exactly; of equals, the one that comes first in the models.
+/// Compares distances exactly; equal ones by which pair of segments comes first in the models.
 [[nodiscard]] std::strong_ordering operator<=>(const Nearest& p, const Nearest& q);
 [[nodiscard]] inline bool operator==(const Nearest& p, const Nearest& q) { return (p <=> q) == 0; }
 /// By distance alone.
@@ -56,7 +56,7 @@ struct Feature {
 };
 [[nodiscard]] Feature feature_of(const Segment& segment, Spot spot, const Model& model);
 
-/// What is asked of two models.
+/// The answer to a query about two models.
 struct Answer {
   double distance = 0.0;  ///< The exact distance, rounded to nearest; 0 exactly where they overlap.
   bool overlap = false;   ///< Boundaries meet, or one lies in the other's matter. Exact.
@@ -81,7 +81,7 @@ template <class Around>
 
 }  // namespace detail
 
-/// Of models whose boundaries do not meet: a vertex of one that lies in the other's matter.
+/// For models whose boundaries do not meet: a vertex of one that lies in the other's matter.
 /// `around_a` and `around_b` give the winding numbers of the models around a point.
 template <class AroundA, class AroundB>
 [[nodiscard]] std::optional<Answer> contained(const Model& a, const Model& b,

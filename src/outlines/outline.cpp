@@ -48,10 +48,10 @@ bool folds_back(const Segment& s, const Segment& next) {
   return turn(s.a, s.b, next.b) == 0 && along(s.b, s.a, next.b) > 0;
 }
 
-/// Of closed outlines: the first two segments that meet, but for neighbours in their common point.
+/// The first two segments of closed outlines that meet, but for neighbours in their common point.
 Flaw check_meetings(const Model& model) {
   std::vector<Segment> segments;
-  std::vector<int> next;  ///< That follows in the same outline.
+  std::vector<int> next;  ///< The segment that follows in the same outline.
   for (std::size_t i = 0, first = 0; i < model.segments.size(); ++i) {
     const Segment& s = model.segments[i];
     if (s.index == 0) first = segments.size();

@@ -39,7 +39,7 @@ struct Model {
 };
 [[nodiscard]] Model model_of(std::vector<Outline> outlines);
 
-/// What keeps outlines from being a model, or a method from taking it.
+/// A reason why outlines are no model, or why a method does not take it.
 enum class Fault : std::uint8_t {
   none,
   no_outline,        ///< There is none.
@@ -63,7 +63,7 @@ struct Flaw {
   int other_index = -1;
 };
 
-/// What a method needs of each model.
+/// Requirements of a method on each model.
 enum class Needs : std::uint8_t {
   segments,  ///< Finite points, at least two an outline.
   closed,    ///< Also: no open chains.
@@ -86,7 +86,7 @@ struct Ring {
   /// The segment of the outline from ring point i to the next.
   [[nodiscard]] int segment(int i) const;
 };
-/// Of a closed outline that does not meet itself.
+/// For a closed outline that does not meet itself.
 [[nodiscard]] Ring ring_of(const Outline& outline);
 /// Exactly; of repeated points one counts. Flat outlines are not.
 [[nodiscard]] bool is_convex(const Outline& outline);

@@ -30,7 +30,7 @@ struct Pieces {
   std::vector<Merge> merges;                  ///< Each diagonal, in the order asked.
   std::vector<std::vector<int>> pieces;       ///< Convex, counter-clockwise.
 };
-/// Of a model whose outlines check(Needs::simple) takes. O(n^2).
+/// For a model whose outlines check(Needs::simple) takes. O(n^2).
 [[nodiscard]] Pieces pieces_of(const Model& model);
 
 /// A pair of pieces: run through GJK, or skipped because its boxes are farther apart than the least
@@ -41,7 +41,7 @@ struct PieceRun {
   double bound = 0.0;  ///< Not more than the distance of the boxes.
   double least = 0.0;  ///< The least upper bound before; infinite where there is none.
   bool skipped = false;
-  double distance = 0.0;  ///< Of a run, as GJK answers, with its bounds.
+  double distance = 0.0;  ///< The answer of GJK when it ran, with its bounds.
   double lower = 0.0;
   double upper = 0.0;
   int iterations = 0;

@@ -25,12 +25,12 @@
 
 namespace models {
 
-/// What is asked of the hierarchies. Either ends when it finds two segments that meet.
+/// The question to the hierarchies. A search ends when it finds two segments that meet.
 enum class Goal : std::uint8_t { collide, distance };
 
 struct SearchOptions {
   Goal goal = Goal::distance;
-  /// Of two pairs with children the one with nearer volumes first; else the left child.
+  /// Visit the pair of children with the nearer volumes first; else the left child.
   bool nearer_first = true;
   /// Take the larger of two volumes apart; else that of `a`, as Larsen's listing does.
   bool larger_first = true;
@@ -72,10 +72,10 @@ struct NodePair {
 struct SearchState {
   SearchPhase phase = SearchPhase::visit;  ///< To run next; when the run has ended, the last one.
   std::vector<NodePair> waiting;           ///< The last one is on top.
-  NodePair pair;                           ///< Which is visited.
+  NodePair pair;                           ///< The pair that is visited.
   std::optional<Nearest> candidate;        ///< The closest pair of segments by now.
   std::pair<int, int> candidate_segments;  ///< Within Model::segments.
-  std::optional<Answer> inside;            ///< Where one model lies in the other.
+  std::optional<Answer> inside;            ///< The answer when one model lies in the other.
   long visits = 0;                         ///< Pairs of nodes that were visited.
   long measured = 0;                       ///< Pairs of segments that were measured.
   long hits = 0;                           ///< Pairs of leaves whose segments were in the table.
@@ -83,7 +83,7 @@ struct SearchState {
   SearchStop stop = SearchStop::running;
 };
 
-/// What one phase noted; the members of the other phases stay empty.
+/// Notes of one phase; the members of the other phases stay empty.
 struct SearchRecord {
   static constexpr bool kOn = true;
   double limit = 0.0;  ///< bound: of the candidate; infinite where there is none.
@@ -273,7 +273,7 @@ void step(SearchState& state, const SearchQuery<Volume>& query, const SearchOpti
 struct SearchResult {
   Answer answer;
   SearchStop stop = SearchStop::running;
-  std::pair<int, int> segments = {-1, -1};  ///< Of the answer, to be remembered.
+  std::pair<int, int> segments = {-1, -1};  ///< The segments of the answer, to be remembered.
   long visits = 0;
   long measured = 0;
   long hits = 0;

@@ -35,8 +35,8 @@ namespace models {
   return build_hierarchy<Circle>(tiles_of(model, radius));
 }
 
-/// Of searches in sphere trees. The answer is within (1 + relative_error) of the distance; whether
-/// models overlap stays exact.
+/// Options for searches in sphere trees. The answer is within (1 + relative_error) of the distance;
+/// whether models overlap stays exact.
 [[nodiscard]] inline SearchOptions sphere_tree_options(double relative_error = 0.0) {
   SearchOptions options;
   options.relative_error = relative_error;

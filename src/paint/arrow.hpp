@@ -1,5 +1,5 @@
 #pragma once
-// What an arrow is made of, for all painters.
+// The parts of an arrow, for all painters.
 
 #include <array>
 #include <optional>
@@ -10,7 +10,7 @@ namespace gjkscope {
 
 struct ArrowParts {
   std::optional<Point>
-      shaft_end;              ///< Of the line from `from`; none where the head is all there is.
+      shaft_end;              ///< The end of the line from `from`; none when the arrow is all head.
   std::array<Point, 3> head;  ///< The first is `to`.
 };
 

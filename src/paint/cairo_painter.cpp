@@ -257,7 +257,7 @@ class CairoMarks {
   [[nodiscard]] bool shows_whole(const Point& p) const {
     return (p.array() >= drawn_.min.array()).all() && (p.array() <= drawn_.max.array()).all();
   }
-  /// What is only a line may name its colour either way.
+  /// The colour of a line, which a style may name as stroke or as fill.
   [[nodiscard]] std::optional<Color> line_color() const {
     return style_.stroke ? style_.stroke : style_.fill;
   }

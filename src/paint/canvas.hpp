@@ -11,14 +11,14 @@
 
 namespace gjkscope {
 
-/// What draws pixels. Cairo is part of the program. The others draw as the window does, by the Dear
-/// ImGui draw list and OpenGL, from a library that is looked for at run time.
+/// The library that draws pixels. Cairo is part of the program. The others draw as the window does,
+/// by the Dear ImGui draw list and OpenGL, from a library that is looked for at run time.
 enum class Renderer { cairo, osmesa, egl };
 /// "cairo", "osmesa" or "egl".
 [[nodiscard]] std::optional<Renderer> renderer_of(std::string_view name);
 
 struct CanvasOptions {
-  int width = 1280;  ///< Of the images, in pixels.
+  int width = 1280;  ///< The width of the images, in pixels.
   int height = 720;
   int supersampling = 2;     ///< Samples a pixel, each way, by OpenGL; cairo counts areas.
   double zoom = 1.0;         ///< Pixels for each frame pixel of a picture.

@@ -1,5 +1,5 @@
 #pragma once
-// What of a mark a painter can draw: pieces of outlines inside a rectangle, and lines on pixels.
+// The parts of marks that a painter can draw: outlines inside a rectangle, and lines on pixels.
 
 #include <optional>
 #include <utility>

@@ -13,7 +13,7 @@
 namespace gjkscope {
 namespace {
 
-/// Of a library that stays to the end of the process: its threads and its memory do.
+/// A library that stays to the end of the process, as its threads and its memory do.
 class Library {
  public:
   explicit Library(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW)) {
@@ -39,7 +39,7 @@ void find_functions(Gl& gl, Find find) {
 #undef GJKSCOPE_FIND
 }
 
-// What GL/osmesa.h declares, where Mesa still has it.
+// Declarations of GL/osmesa.h, which not every Mesa has.
 using OsMesaFunction = void (*)();
 struct OsMesa {
   void* (*create)(const int* attributes, void* shared) = nullptr;

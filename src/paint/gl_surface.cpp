@@ -14,12 +14,12 @@
 namespace gjkscope {
 namespace {
 
-/// Of the samples that are drawn at once. A frame of 1280 x 720 with 2 x 2 samples a pixel is one
-/// band; larger ones have smaller bands, for what they need besides is larger.
+/// Bytes of the samples that are drawn at once. A frame of 1280 x 720 with 2 x 2 samples a pixel is
+/// one band; larger frames have smaller bands, because they need more memory for the rest.
 constexpr std::size_t kWholeBytes = std::size_t{16} << 20;
 constexpr std::size_t kBandBytes = std::size_t{4} << 20;
 
-/// What draw lists share, without a context of Dear ImGui.
+/// Data that draw lists share, without a context of Dear ImGui.
 struct SharedData : ImDrawListSharedData {
   SharedData(const ImFontAtlas& atlas, int width, int height) {
     Font = atlas.Fonts.front();
@@ -80,7 +80,7 @@ class GlSurface : public Surface {
   [[nodiscard]] int rows_of_band() const {
     const std::size_t row = static_cast<std::size_t>(width_) * Image::kChannels;
     if (row * static_cast<std::size_t>(height_) <= kWholeBytes) return height_;
-    const auto most = std::max<std::size_t>(1, kBandBytes / (row * factor_));  // Of the image
+    const auto most = std::max<std::size_t>(1, kBandBytes / (row * factor_));  // Rows of the image
     const std::size_t count = (static_cast<std::size_t>(options_.height) + most - 1) / most;
     return static_cast<int>((options_.height + count - 1) / count) * factor_;
   }
@@ -146,7 +146,7 @@ class GlSurface : public Surface {
     gl.ClearColor(paper.r / 255.0f, paper.g / 255.0f, paper.b / 255.0f, 1.0f);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    // What is painted over the paper leaves it opaque.
+    // Marks over the paper leave it opaque.
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   }
 
@@ -181,7 +181,7 @@ class GlSurface : public Surface {
     }
   }
 
-  /// What differs between the picture on black and on white is what shines through.
+  /// Transparency is the difference between the picture on black and the picture on white.
   void paint_transparent(const Picture& picture, Image& image) {
     const Theme opaque = theme_;
     theme_ = opaque.on({255, 255, 255, 255});
@@ -216,7 +216,7 @@ class GlSurface : public Surface {
   CanvasOptions options_;
   Theme theme_;
   int factor_;
-  int width_;  ///< Of all bands together, in samples.
+  int width_;  ///< The width of all bands, in samples.
   int height_;
   double scale_;  ///< Samples for each frame pixel.
   int band_rows_ = 0;

@@ -42,7 +42,7 @@ Points without_repeats(const Points& points, bool closed) {
   return kept;
 }
 
-/// What a round pen covers on its way from `from` to `to`.
+/// The area that a round pen covers on its way from `from` to `to`.
 Points capsule(const Point& from, const Point& to, double radius, double pixels_per_unit) {
   const double angle = std::atan2(to.y() - from.y(), to.x() - from.x());
   Points points = arc(to, radius, angle - 0.5 * pi, angle + 0.5 * pi, pixels_per_unit);
@@ -130,7 +130,7 @@ class MarkPainter {
 
   void operator()(const Polyline& polyline) const {
     Points points = without_repeats(polyline.points, polyline.closed);
-    // Of the frame: samples of one pixel agree.
+    // Aligned to pixels of the frame: then the samples of one pixel agree.
     if (points.size() == 2) align_to_pixels(points[0], points[1], *style_, 1.0);
     stroke(points, polyline.closed && points.size() > 2);
   }
@@ -209,7 +209,7 @@ class MarkPainter {
 
   void set_style(const Style& style) { style_ = &style; }
 
-  /// What polygons are cut to; a draw list itself cuts to upright rectangles only.
+  /// Polygons are cut to this; a draw list itself cuts to upright rectangles only.
   void set_rounded_clip(const Rect& clip, double corner) {
     clip_outline_ = rounded_box(clip, corner, placement_.scale);
   }
@@ -272,7 +272,7 @@ class MarkPainter {
     }
   }
 
-  /// What the list shows, in frame pixels.
+  /// The visible part of the list, in frame pixels.
   [[nodiscard]] Rect visible() const {
     const auto to_frame = [&](const ImVec2& v) {
       return Point((Point(v.x, v.y) - placement_.origin) / placement_.scale);

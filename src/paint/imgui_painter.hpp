@@ -40,7 +40,7 @@ class AtlasFonts {
   std::vector<std::array<GlyphRanges, 2>> ranges_;
 };
 
-/// Where a picture stands in a draw list: `origin` is its upper left corner, in pixels of the list.
+/// The place of a picture in a draw list: `origin` is its upper left corner, in pixels of the list.
 struct DrawPlacement {
   Point origin = Point::Zero();
   double scale = 1.0;  ///< Pixels of the list per frame pixel; that of the fonts.

@@ -105,7 +105,7 @@ class PdfWriter {
   static constexpr const char* kWhat = "make a PDF";
   static constexpr TextStyle kCaption{Face::regular, 9.0};
   static constexpr double kLineHeight = 12.0;
-  static constexpr double kShareBeside = 0.6;  ///< Of a row's width, for the figure.
+  static constexpr double kShareBeside = 0.6;  ///< The figure's share of a row's width.
 
   void begin_page(double width, double height, const std::string& label) {
     cairo_pdf_surface_set_size(surface_.get(), width, height);

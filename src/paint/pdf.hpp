@@ -10,7 +10,7 @@
 
 namespace gjkscope {
 
-/// What a document says of itself.
+/// Words about the document that its file holds.
 struct PdfWords {
   std::string title;
   std::string subject;
@@ -20,14 +20,14 @@ struct PdfWords {
 /// A picture and what is said below it on a handout.
 struct PdfFigure {
   Picture picture;
-  std::string label;    ///< Of its page: "polygons-gjk 3".
-  std::string title;    ///< Of its bookmark: "3. iteration 1 of 4 · closest".
+  std::string label;    ///< The label of its page: "polygons-gjk 3".
+  std::string title;    ///< The title of its bookmark: "3. iteration 1 of 4 · closest".
   std::string caption;  ///< May have several lines.
 };
 
 struct PdfLayout {
   double scale = 1.0;        ///< Points for each unit of a picture.
-  int handout = 0;           ///< So many figures and captions a page of A4; 0: a page each.
+  int handout = 0;           ///< Figures with captions on a page of A4; 0: a page each.
   bool transparent = false;  ///< No background.
 };
 inline constexpr int kMostOnHandout = 8;

@@ -9,7 +9,7 @@
 
 namespace gjkscope {
 
-/// What goes into a PNG file beside the pixels.
+/// The content of a PNG file beside the pixels.
 struct PngWords {
   std::vector<std::pair<std::string, std::string>> texts;  ///< Keyword, and text in UTF-8.
   double dpi = 0.0;                                        ///< Pixels an inch; 0: not said.
@@ -29,7 +29,7 @@ struct PngChunk {
 /// A file of chunks.
 [[nodiscard]] std::vector<std::uint8_t> png_file(const std::vector<PngChunk>& chunks);
 [[nodiscard]] PngChunk png_text(const std::string& keyword, const std::string& text);
-/// What `keyword` says in a file; empty when it does not.
+/// The text with this keyword in a file; empty when there is none.
 [[nodiscard]] std::string text_in_png(std::span<const std::uint8_t> file,
                                       const std::string& keyword);
 /// Appends a number as PNG writes it, the high byte first.

@@ -1,5 +1,5 @@
 #pragma once
-// What a canvas draws on: pixels by cairo or by OpenGL.
+// The surface of a canvas: pixels drawn by cairo or by OpenGL.
 
 #include <memory>
 #include <string>

@@ -120,7 +120,7 @@ class MarkWriter {
     return out;
   }
 
-  /// What is only a line may name its colour either way.
+  /// The colour of a line, which a style may name as stroke or as fill.
   [[nodiscard]] std::optional<Color> line_color() const {
     return style_.stroke ? style_.stroke : style_.fill;
   }

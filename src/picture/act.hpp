@@ -19,7 +19,7 @@ namespace gjkscope {
 struct Tick {
   std::string group;  ///< Ticks in a row with the same group share its label.
   std::string label = {};
-  std::string short_label = {};  ///< Where the label is wider than the tick.
+  std::string short_label = {};  ///< Used when the label is wider than the tick.
   bool event = false;            ///< A vertex dropped, containment, the end.
   bool question = false;
 };
@@ -50,12 +50,12 @@ template <class Part>
 /// A frame for the start and each step that `shows` holds for.
 void add_step_frames(LessonRun& run, int index,
                      bool (*shows)(const LessonRun&, int index, int step));
-/// Of an act that shows an algorithm: a frame for the start, one for each of its steps, and one for
-/// the answer; where it has no steps a single one, which says why.
+/// For an act that shows an algorithm: a frame for the start, one for each of its steps, and one
+/// for the answer; without steps a single frame, which says why there are none.
 void add_algorithm_frames(LessonRun& run, int index);
 /// "iteration 2 of 4 · swap", "start", "answer · 9 of 9"; along a path the position before it.
 [[nodiscard]] std::string position_in_algorithm(const LessonRun& run, int index);
-/// Of the start, a step or the answer.
+/// The tick of the start, a step or the answer.
 [[nodiscard]] Tick tick_of_algorithm(const LessonRun& run, const Frame& frame);
 /// The last step of an algorithm that is over when a frame ends; none at the start.
 template <class Step>

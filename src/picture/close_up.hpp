@@ -11,7 +11,7 @@ namespace gjkscope {
 /// The part of a card in which a close-up stands.
 [[nodiscard]] Rect close_up_in(const Rect& card, CardCorner corner);
 
-/// What of the marks can be seen in `card`. Lines and areas end a little outside of it: far marks
+/// The parts of the marks that are in `card`. Lines and areas end a little outside of it: far marks
 /// may be farther than painters can tell. Nothing of them can be taken hold of.
 [[nodiscard]] std::vector<Mark> cut(const std::vector<Mark>& marks, const Rect& card);
 

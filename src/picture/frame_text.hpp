@@ -41,12 +41,12 @@ struct FrameQuestion {
 /// The words and numbers of a frame: what the sidecar file, the contact sheet, the transcript and
 /// the alternative text say.
 struct FrameText {
-  std::string caption;   ///< What happened and why, from this step's values.
+  std::string caption;   ///< The event and its reason, with this step's values.
   std::string detail;    ///< The numbers behind it, and what comes next.
   std::string prose;     ///< The lesson's prose, placeholders filled in.
   std::string phase;     ///< "closest", ..., or "start"
   int iteration = 0;     ///< From 1; 0 before the first.
-  std::string position;  ///< Where in the lesson it is: "iteration 2 of 4 · support".
+  std::string position;  ///< The frame's place in the lesson: "iteration 2 of 4 · support".
   std::vector<std::pair<std::string, std::string>>
       values;  ///< Name and printed value, in reading order.
   std::optional<FrameQuestion> question;

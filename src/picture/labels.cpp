@@ -260,7 +260,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
     }
   };
   if (moves) {
-    // What had to go far away comes back once there is room.
+    // A label that had to go far away comes back once there is room.
     const bool comes_back = !fixed && request.other_anchors.empty();
     const double away = comes_back ? known->second.beside.norm() - request.gap : 0.0;
     consider(known->second, kFarKept * std::max(away, 0.0));

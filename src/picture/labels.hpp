@@ -1,6 +1,6 @@
 #pragma once
-// Where labels go: beside what they name, off lines and disks and off each other, and where they
-// were a frame ago.
+// Placement of labels: beside what they name, off lines and disks and off each other, and in the
+// place of the frame before.
 
 #include <map>
 #include <optional>
@@ -33,7 +33,7 @@ struct LabelRequest {
 
 /// A label farther than this from what it names has a line that leads there, in pixels.
 inline constexpr double kLeaderFrom = 13.0;  // beyond the gap
-/// That line; none where the label is near.
+/// The line from a far label to what it names; none where the label is near.
 [[nodiscard]] std::optional<Obstacles::Segment> leader_line(const LabelRequest& request,
                                                             const Rect& label);
 
@@ -47,7 +47,7 @@ struct AreaLabelRequest {
   std::string role;
   TextStyle style;
   std::vector<Point> polygon;
-  std::optional<LabelRequest> otherwise;  ///< Where the polygon has no room; else no label.
+  std::optional<LabelRequest> otherwise;  ///< For a polygon without room; else no label.
 };
 
 class LabelPlacer {
@@ -78,20 +78,20 @@ class LabelPlacer {
  private:
   /// A place that is kept when the text gets longer or shorter.
   struct Kept {
-    Point beside = Point::Zero();  ///< What of the label is nearest to the anchor, from there.
+    Point beside = Point::Zero();  ///< The label's point nearest to the anchor, from there.
     Point face = Point::Zero();    ///< From there to the middle, in halves of the label's size.
   };
 
   struct Cover {
     double cost = 0.0;
-    bool is_buried = false;  ///< So many marks that they were not all counted.
+    bool is_buried = false;  ///< It covers too many marks to count them all.
   };
 
   /// The cost of all that the box covers. Marks beyond a cost of `least` are not counted.
   [[nodiscard]] Cover cover_of(const Rect& box, double least) const;
-  /// Of a box that is nearer to another mark than to the one that it names.
+  /// The cost when the box is nearer to another mark than to the one that it names.
   [[nodiscard]] double cost_of_neighbours(const Rect& box, const LabelRequest& request) const;
-  /// Of a line from a far label to what it names, which would cross other labels.
+  /// The cost of a line from a far label to what it names, which would cross other labels.
   [[nodiscard]] double cost_of_leader(const Rect& box, const LabelRequest& request) const;
   [[nodiscard]] double cost_of_passing(const Rect& box, bool in_frame) const;
   [[nodiscard]] Mark mark_of(const LabelRequest& request, const Rect& box) const;
@@ -107,7 +107,7 @@ class LabelPlacer {
   std::vector<Rect> grounds_;
   std::vector<Rect> taken_;
   std::vector<Obstacles::Segment> leaders_;
-  std::map<std::string, Kept> places_;  ///< Of each label, in the last frame that it was in.
+  std::map<std::string, Kept> places_;  ///< By label: the place in its last frame.
 };
 
 }  // namespace gjkscope

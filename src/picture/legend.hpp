@@ -1,6 +1,6 @@
 #pragma once
-// What marks mean, said in the frame that shows them first, and while they are there where the
-// panel has room.
+// Explanations of marks: in the frame that shows them first, and, if the panel has room, as long as
+// they are there.
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// What the blocks of the panel are written with: rows downwards from the top of a card, and what
-// the frame's step knows.
+// The writer of the panel's blocks: rows downwards from the top of a card, and the values that the
+// frame's step knows.
 
 #include <optional>
 #include <string>
@@ -52,10 +52,10 @@ struct PanelBuilder {
   const FrameFacts::Value& knows;
   Numbers numbers;
   SimplexWords words;
-  double left;           ///< Of the text.
-  double right;          ///< Of the text.
+  double left;           ///< Left edge of the text.
+  double right;          ///< Right edge of the text.
   double y;              ///< Base line of the current row.
-  Subject subject = {};  ///< Of what is written from here on.
+  Subject subject = {};  ///< The subject of all that is written from here on.
   std::vector<Mark> marks;
 };
 

@@ -77,11 +77,11 @@ struct Text {
   std::string text;  ///< UTF-8
   TextStyle style;
   Align align = Align::left;
-  std::vector<Tone> tones = {};  ///< Where parts differ in colour: they make up the text.
+  std::vector<Tone> tones = {};  ///< For parts that differ in colour: they make up the text.
   friend bool operator==(const Text&, const Text&) = default;
 };
 
-/// What a mark stands for, where a reader may point at it.
+/// The thing that a mark stands for, if a reader may point at it.
 struct Subject {
   enum class Kind {
     none,
@@ -89,7 +89,7 @@ struct Subject {
     vertex_of_y,  ///< `y` is its index.
     shape_x,
     shape_y,
-    difference_vertex,  ///< Of vertices `x` and `y`.
+    difference_vertex,  ///< Made of vertices `x` and `y`.
     difference,         ///< Z as a whole.
     region,             ///< Voronoi region of the face with the bits `x`.
     frame,              ///< `x` is its index.
@@ -108,7 +108,7 @@ struct Mark {
   std::variant<Polygon, Polyline, Arrow, Disk, Cross, Box, Text> shape;
   int clip = -1;  ///< Index into Picture::clips, or -1.
   Subject subject = {};
-  double opacity = 1.0;  ///< Of its style: less while it appears or goes.
+  double opacity = 1.0;  ///< The opacity of its style: less while it appears or goes.
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 

@@ -39,8 +39,8 @@ struct PlotTick {
 /// for small disks in the background.
 enum class PlotStyle { first, second, third, fourth, limit, other };
 
-/// What joins the points of a series, in the order given: nothing, lines, or the stairs that go
-/// along the x axis first (what can be had for so much and no more).
+/// The lines that join the points of a series, in the order given: none, straight ones, or stairs
+/// that go along the x axis first (what can be had for so much and no more).
 enum class PlotJoin { none, lines, stairs };
 
 /// Points, and a name above the axes.
@@ -50,7 +50,7 @@ struct PlotSeries {
   std::vector<Eigen::Vector2d> points;
   PlotJoin join = PlotJoin::lines;
   bool has_symbols = true;             ///< Points are to be seen, and not their line alone.
-  std::vector<Subject> subjects = {};  ///< What the points stand for; empty, or one each.
+  std::vector<Subject> subjects = {};  ///< Subjects of the points; empty, or one each.
 };
 
 /// A word beside a point, in the colour of a series' name.

@@ -63,7 +63,7 @@ std::vector<Vector2d> StageMap::visible() const {
 
 namespace {
 
-/// Of the box around points, and of a border: what lies on one line has room beside it.
+/// The area of the box around points, with a border: points on one line need room beside it, too.
 double area_around(const std::vector<Point>& points) {
   constexpr double kBorder = 24.0;
   Rect box{points[0], points[0]};
@@ -211,7 +211,7 @@ void SceneBuilder::link(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
 
 double SceneBuilder::arrow_length(const Eigen::Vector3d& p) const {
   const double way = (at_difference(p) - at_difference(Vector2d::Zero())).norm();
-  // Where P and O are one point to the eye, nothing but the direction is to be seen.
+  // Nothing but the direction is to be seen when P and O are one point to the eye.
   if (way < kPointRadius) return kArrowLength;
   // An arrow as long as the way to O would hide O under its head.
   return way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;

@@ -1,5 +1,5 @@
 #pragma once
-// What the layers of a stage are drawn with: the frame's state, where view coordinates are in the
+// The tools to draw the layers of a stage: the frame's state, where view coordinates are in the
 // frame, and marks that labels keep away from.
 
 #include <Eigen/Core>
@@ -56,11 +56,11 @@ class StageMap {
   double farthest_;
 };
 
-/// What is drawn on a stage at one frame, labels not yet placed.
+/// The drawing on a stage at one frame, labels not yet placed.
 struct Scene {
   std::vector<Mark> marks;
   std::vector<LabelRequest>
-      fixed_labels;  ///< Of things that stay where they are: one place for the whole lesson.
+      fixed_labels;  ///< For things that do not move: one place for the whole lesson.
   std::vector<LabelRequest> moving_labels;
   std::vector<AreaLabelRequest> area_labels;
   Obstacles obstacles;
@@ -158,11 +158,11 @@ struct SceneBuilder {
   [[nodiscard]] LabelRequest pair_name(gjk::VertexPair pair, const std::string& role,
                                        const Point& anchor, double radius,
                                        const Point& towards) const;
-  /// Where labels of the difference go: along a path it moves.
+  /// The list for labels of the difference: along a path it moves.
   [[nodiscard]] std::vector<LabelRequest>& labels_of_difference() {
     return run.lesson.path_of_shapes ? out.moving_labels : out.fixed_labels;
   }
-  /// Of a search direction that starts at `p`, a point of the difference.
+  /// The length of a search direction's arrow that starts at `p`, a point of the difference.
   [[nodiscard]] double arrow_length(const Eigen::Vector3d& p) const;
   /// An arrow along d, and its name.
   void search_arrow(const Point& from, const Eigen::Vector3d& d, double length,

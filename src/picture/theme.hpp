@@ -22,7 +22,7 @@ struct Color {
 struct Style {
   std::optional<Color> fill;  ///< Also the colour of text.
   std::optional<Color> stroke;
-  double width = 1.0;        ///< Of the stroke, frame pixels.
+  double width = 1.0;        ///< The width of the stroke, in frame pixels.
   std::vector<double> dash;  ///< On, off, ... in frame pixels; empty: solid.
 };
 

@@ -20,7 +20,7 @@ int view_of(const Picture& picture, const Mark& mark) {
   return view;
 }
 
-/// What tells the marks of a view apart: kind, role, wording, subject; and which of such it is.
+/// Tells marks apart: view, shape, role, words, subject, and a number among marks that are alike.
 using Identity =
     std::tuple<int, std::size_t, std::string_view, std::string_view, int, int, int, int>;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What lies between two pictures: films, pages and the window show the same.
+// Pictures between two pictures: films, pages and the window show the same.
 
 #include "picture/picture.hpp"
 

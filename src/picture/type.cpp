@@ -27,7 +27,7 @@ struct CharacterRange {
   char32_t last;
 };
 
-// What lessons on distances, areas and bounds write. In ascending order.
+// Characters for lessons on distances, areas and bounds, in ascending order.
 constexpr CharacterRange kCharacterRanges[] = {
     {0x0020, 0x007E},  // ASCII
     {0x00A0, 0x00FF},  // Latin-1
@@ -106,7 +106,7 @@ struct FontFile {
   std::vector<unsigned char> bytes;
   stbtt_fontinfo info = {};
   double em = 1.0;      // Font units of an em.
-  double height = 1.0;  // Of ascent minus descent, in ems.
+  double height = 1.0;  // Ascent minus descent, in ems.
 
   [[nodiscard]] int glyph(char32_t character) const {
     return stbtt_FindGlyphIndex(&info, static_cast<int>(character));

@@ -75,7 +75,7 @@ class Fonts {
   /// Width in frame pixels, kerning left out (painters leave it out, too). Figures are tabular:
   /// each is as wide as the widest, in every face.
   [[nodiscard]] double width(const TextStyle& style, std::string_view utf8) const;
-  /// Of one character.
+  /// The width of one character.
   [[nodiscard]] double advance(const TextStyle& style, char32_t character) const;
   /// Height of a capital letter above the base line.
   [[nodiscard]] double cap_height(const TextStyle& style) const;

@@ -59,7 +59,7 @@ std::string signed_fixed(double value, int decimals) {
 
 namespace {
 
-/// What a text of `fixed` or of a `Numbers` says.
+/// The value of a text that `fixed` or a `Numbers` has written.
 double as_written(std::string_view text) {
   std::string digits;
   const auto take = [&](std::string_view printed, std::string_view read) {

@@ -3,8 +3,8 @@
 
 namespace gjkscope {
 
-/// What a frame shows of an algorithm other than GJK, as a value of the type that its folder makes
-/// of a run and a frame. Stage, panel and words all read it here.
+/// Facts that a frame shows of an algorithm other than GJK, as a value of the type that its folder
+/// makes of a run and a frame. Stage, panel and words all read it here.
 struct AlgorithmFacts {
   static constexpr std::string_view kName = "algorithm-facts";
   static constexpr std::string_view kNeeds = "";
@@ -19,7 +19,7 @@ struct AlgorithmFactsAs : AlgorithmFacts {
   }
 };
 
-/// Of the frame of a scene, a panel or a story.
+/// Such facts for the frame of a scene, a panel or a story.
 template <class Shown, class Part>
 [[nodiscard]] const Shown& shown_in(const Part& part) {
   return part.effects.template get<AlgorithmFactsAs<Shown>>(part.frame);

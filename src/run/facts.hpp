@@ -8,7 +8,7 @@ namespace gjkscope {
 
 /// Facts that are known when a frame is shown. Stage, panel and words all read them here.
 struct KnownFacts {
-  std::optional<gjk::Phase> phase;  ///< Of the frame's step; none at the start.
+  std::optional<gjk::Phase> phase;  ///< The phase of the frame's step; none at the start.
   bool closest_point = false;       ///< P, its region and its weights.
   bool is_at_query = false;         ///< P is known, and is the query point.
   bool direction = false;           ///< d
@@ -16,7 +16,7 @@ struct KnownFacts {
   bool whole_support = false;       ///< The same, and the frame has put it together.
   bool has_ended = false;           ///< The step ends the run.
   bool distance = false;            ///< The answer, the length between the closest points.
-  std::span<const gjk::RegionTest<double>> region_tests;  ///< Of a closest-point step.
+  std::span<const gjk::RegionTest<double>> region_tests;  ///< Tests of a closest-point step.
   bool gradual = false;                                   ///< Frames show them one by one.
   int tests_reached = -1;                                 ///< Index of the last one shown.
   int steps_over = 0;                                     ///< When the frame ends.

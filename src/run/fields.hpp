@@ -1,6 +1,6 @@
 #pragma once
-// What traces are written with, whatever the algorithm: numbers, points, vertices and scans as
-// JSON, and lines of text.
+// The parts that traces are written with, whatever the algorithm: numbers, points, vertices and
+// scans as JSON, and lines of text.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -31,7 +31,7 @@ using Vector = Eigen::Ref<const Eigen::VectorXd>;
 [[nodiscard]] std::string point_text(ScalarKind scalar, const Vector& point);
 /// A line of a trace: its label stands in a column of its own.
 [[nodiscard]] std::string line(std::string_view label, std::string_view text);
-/// What `number` has written.
+/// The value that `number` has written.
 [[nodiscard]] double double_of(const Json& number);
 
 /// The values of a trace's JSON as text.

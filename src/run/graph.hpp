@@ -25,7 +25,7 @@
 
 namespace gjkscope {
 
-/// What a value depends on: nothing (-1), or the run, the step, a part of the step.
+/// The key of a value: nothing (-1), or the run, the step, a part of the step that it depends on.
 using EffectKey = std::array<int, 3>;
 
 struct EffectCount {
@@ -69,7 +69,7 @@ class EffectGraph {
     return found == counts_.end() ? EffectCount{} : found->second;
   }
 
-  /// Which effect has pulled which, by their names.
+  /// Names of two effects: the first has pulled the second.
   [[nodiscard]] const std::set<std::pair<std::string_view, std::string_view>>& pulls() const {
     return pulls_;
   }

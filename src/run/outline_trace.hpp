@@ -1,5 +1,5 @@
 #pragma once
-// What an algorithm that asks about outlines needs of a lesson, and how its steps are written.
+// Traces of algorithms that ask about outlines: what they need of a lesson, and their steps.
 
 #include <optional>
 #include <string>
@@ -38,7 +38,7 @@ class OutlineTrace : public AlgorithmTrace {
   std::optional<Refusal> refusal;  ///< Then there are no steps.
 
  protected:
-  /// What a step did, without its phase and iteration.
+  /// The content of a step, without its phase and iteration.
   [[nodiscard]] virtual fields::Json step_json(const Lesson& lesson, int step) const = 0;
   [[nodiscard]] virtual fields::Json result_json(const Lesson& lesson) const = 0;
 };

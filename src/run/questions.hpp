@@ -9,7 +9,7 @@
 
 namespace gjkscope {
 
-/// What frames that go through GJK's steps can ask.
+/// Questions for frames that go through GJK's steps.
 namespace asks {
 inline constexpr AskInfo kRegion{"region", "the region that holds the query point"};
 inline constexpr AskInfo kDropped{"dropped", "the vertices that are dropped"};

@@ -36,9 +36,9 @@ DistanceBounds in_world(const gjk::Bounds<Real>& bounds, int exponent) {
           gjk::scaled_above(widened(bounds.upper), exponent)};
 }
 
-/// Where both shapes stand, and when.
+/// The places of both shapes at one time.
 struct Scenery {
-  std::vector<Placement> placements{2};  ///< Of each body.
+  std::vector<Placement> placements{2};  ///< One for each body.
   double time = 0.0;
 };
 
@@ -122,7 +122,7 @@ std::vector<Vector2d> along(const std::vector<Vector2d>& corners, int frames) {
   return out;
 }
 
-/// Where a shape is at `part` of its motion, from 0 to 1: the corners come at equal times.
+/// The place of a shape at `part` of its motion, from 0 to 1: the corners come at equal times.
 Placement placement_at(const LessonShape& shape, const LessonMotion& motion, double part) {
   Placement placement{shape.translate, shape.rotate_degrees};
   if (motion.points.size() < 2) return placement;
@@ -170,7 +170,7 @@ double written_precision(double value) {
   const std::size_t dot = text.find('.');
   const int decimals = dot == std::string::npos ? 0 : static_cast<int>(e - dot) - 1;
   const int exponent = e < text.size() ? std::stoi(text.substr(e + 1)) : 0;
-  // Of a whole number, or of a short one, no more digits were needed to write it.
+  // A short number needed no more digits: at least kLeast decimals are taken as written.
   constexpr int kLeast = 6;
   return 0.5 * std::pow(10.0, exponent - std::max(decimals, kLeast));
 }

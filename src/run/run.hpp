@@ -16,13 +16,13 @@
 
 namespace gjkscope {
 
-/// What is proved of the distance, rounding included: lower <= exact distance <= upper.
+/// Proved bounds, rounding included: lower <= exact distance <= upper.
 struct DistanceBounds {
   double lower = 0.0;
   double upper = 0.0;
 };
 
-/// Where a shape stands.
+/// The place of a shape.
 struct Placement {
   Eigen::Vector2d translate = Eigen::Vector2d::Zero();
   double rotate_degrees = 0.0;  ///< Counter-clockwise.
@@ -47,7 +47,7 @@ struct PositionedRun {
   [[nodiscard]] const Body& y() const { return bodies[1]; }
 };
 
-/// Where each body stands.
+/// The place of each body.
 [[nodiscard]] std::vector<Placement> placements_of(const PositionedRun& run);
 
 /// True when a pair of vertices is one of those that a simplex is made of.
@@ -64,9 +64,9 @@ struct Act;
 
 struct LessonRun {
   Lesson lesson;
-  const Act* act = nullptr;  ///< That of Lesson::act (lesson/vocabulary.hpp).
+  const Act* act = nullptr;  ///< The act named by Lesson::act (lesson/vocabulary.hpp).
   std::vector<PositionedRun> runs;
-  /// What the act's algorithm did in each run.
+  /// The trace of the act's algorithm in each run.
   std::vector<std::shared_ptr<const AlgorithmTrace>> algorithm_traces;
   std::vector<Frame> frames;
 
@@ -80,7 +80,7 @@ struct LessonRun {
   [[nodiscard]] const WideStep& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
 
-  /// What the act's algorithm did in the run of a frame.
+  /// The trace of the act's algorithm in the run of a frame.
   [[nodiscard]] const AlgorithmTrace& algorithm_trace(const Frame& frame) const {
     return *algorithm_traces[static_cast<std::size_t>(frame.run)];
   }
@@ -129,8 +129,8 @@ template <int D>
     const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,
     const std::function<void()>& before_phase = [] {});
 
-/// Where the outcome differs from Lesson::expect, and questions that it does not answer; places are
-/// those of the keys in the lesson's file.
+/// Reports where the outcome differs from Lesson::expect, and questions that it does not answer;
+/// places are those of the keys in the lesson's file.
 [[nodiscard]] std::vector<Problem> check_expectation(const LessonRun& run);
 
 }  // namespace gjkscope

@@ -1,5 +1,5 @@
 #pragma once
-// What a trace tells, of a lesson in the plane or of a case in either dimension.
+// The content of a trace, for a lesson in the plane or a case in either dimension.
 
 #include <string>
 #include <string_view>
@@ -13,7 +13,7 @@ struct TracedShape {
   std::string name;
   std::vector<std::string> vertex_names;
   std::vector<Eigen::Vector3d> vertices;  ///< Before they are turned and moved; z = 0 in the plane.
-  Placement placement;                    ///< Of the first run.
+  Placement placement;                    ///< In the first run.
   std::vector<int> outlines = {};         ///< As in LessonShape.
   double radius = 0.0;                    ///< As in LessonShape.
 };
@@ -27,12 +27,12 @@ struct Traced {
   TracedShape y;
   std::vector<PositionedRun> runs;
   std::vector<std::string> headings;      ///< One for each run, where there are several.
-  const LessonRun* lesson_run = nullptr;  ///< What it was made of; none of a case.
+  const LessonRun* lesson_run = nullptr;  ///< The run that it was made of; none for a case.
 
   [[nodiscard]] int dimension() const { return runs.front().trace.dimension; }
 };
 
-/// Of a run that outlives it.
+/// The run must outlive the result.
 [[nodiscard]] Traced traced(const LessonRun& run);
 
 /// Vertices are called x1, x2, ... and y1, y2, ... D: 2 or 3.

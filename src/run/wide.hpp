@@ -1,6 +1,6 @@
 #pragma once
-// What GJK did, as pictures, words and files read it: in doubles and in three coordinates, whatever
-// the scalar and the dimension of the run. In the plane z = 0.
+// Traces of GJK as pictures, words and files read them: in doubles and in three coordinates,
+// whatever the scalar and the dimension of the run. In the plane z = 0.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// What of a picture is under the pointer.
+// Finds the part of a picture that is under the pointer.
 
 #include "picture/picture.hpp"
 #include "subjects/run/voronoi.hpp"
@@ -50,7 +50,7 @@ namespace gjkscope {
   return body_of(vertex) == 0 ? vertex.x : vertex.y;
 }
 
-/// What a hand takes there: with a volume of a tree the shape that it bounds a part of.
+/// The subject that a drag takes: for a volume of a tree, the shape that it bounds a part of.
 [[nodiscard]] Subject held(const Subject& subject);
 
 /// True when the two are parts of the same thing: a vertex of the difference and the vertices that

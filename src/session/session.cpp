@@ -117,7 +117,7 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
 
 struct Session::Made {
   Lesson lesson;
-  Page page;  ///< That its pictures are laid out on.
+  Page page;  ///< The page that its pictures are laid out on.
   LabelScope scope = LabelScope::lesson;
   long layout = 0;               ///< Session::layout_, and
   long drag = 0;                 ///< Session::drags_, when it was asked for.

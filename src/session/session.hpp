@@ -1,6 +1,6 @@
 #pragma once
-// What the window shows and what was done to it: the lesson being edited with its history, the run
-// that follows from it, and the place in that run. No window, no GL.
+// The state of the window: the lesson being edited with its history, the run that follows from it,
+// and the place in that run. No window, no GL.
 
 #include <filesystem>
 #include <functional>
@@ -24,7 +24,7 @@ struct Answer {
   std::vector<std::string> choices;
   std::string chosen;
   std::string right;  ///< From the trace.
-  /// Which question it was: of this version of the lesson, of this run and this step of it.
+  /// The question, by version of the lesson, run and step.
   long version = 0;
   int run = 0;
   int step = 0;
@@ -68,7 +68,7 @@ class Session {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   /// Whether the lesson differs from what its file holds.
   [[nodiscard]] bool is_unsaved() const { return unsaved_; }
-  /// What its file holds; null where there is none.
+  /// The content of its file; null when there is none.
   [[nodiscard]] const Lesson* saved() const { return saved_.get(); }
   /// The file holds this now; nothing: it is gone.
   void set_saved(std::optional<Lesson> lesson);
@@ -160,7 +160,7 @@ class Session {
   /// To the next frame of the phase, from the start again after the last, or to an open question
   /// on the way there. False when there is none.
   bool go_to_next(std::string_view phase);
-  /// What one may run to. The first two are GJK's.
+  /// Events to run to. The first two are GJK's.
   enum class Event { simplex_changes, vertex_dropped, run_ends };
   /// The first frame after this one that shows it; nothing when none does.
   [[nodiscard]] std::optional<int> next(Event event) const;
@@ -201,7 +201,7 @@ class Session {
 
   void set_page(const Page& page);
   [[nodiscard]] const Page& page() const { return page_; }
-  /// Of the frame, at the page's size.
+  /// The picture of the frame, at the page's size.
   [[nodiscard]] const Picture& picture();
   /// Vertices that have names in the picture, whatever else has: what is pointed at or dragged. Of
   /// a difference its two vertices have names in the world.
@@ -211,10 +211,10 @@ class Session {
   /// dense the vertices are, and whether they have disks or not.
   [[nodiscard]] Subject vertex_near(const Point& page, double reach);
   [[nodiscard]] const FrameText& text() const;
-  /// Of all frames.
+  /// The texts of all frames.
   [[nodiscard]] const std::vector<FrameText>& texts() const;
   [[nodiscard]] std::vector<LessonPictures::ShownView> views() const;
-  /// What a view sees; for this window, not part of the lesson and its history.
+  /// Sets the camera of a view, for this window: it is not part of the lesson and its history.
   void set_camera(std::size_t view, const Camera& camera);
   /// All views fit what they show again.
   void fit();
@@ -224,7 +224,7 @@ class Session {
   [[nodiscard]] Lesson lesson_as_seen() const;
 
  private:
-  /// Where a lesson belongs, and how far it was stepped.
+  /// The file of a lesson, and the step that it was left at.
   struct Whereabouts {
     std::filesystem::path file;
     std::shared_ptr<const Lesson> saved;
@@ -238,7 +238,7 @@ class Session {
     std::vector<std::optional<Sight>> sights = {};
   };
   struct Shown;
-  /// Where in the run one is, to find it again in another.
+  /// A place in the run, to find it again in another.
   struct Moment {
     int run = 0;
     int iteration = 0;
@@ -270,7 +270,7 @@ class Session {
   /// The lesson is another one than before.
   void changed();
   void lay_out(LabelScope scope);
-  /// Of each frame.
+  /// One for each frame.
   [[nodiscard]] std::vector<Moment> moments() const;
   [[nodiscard]] int find(const Moment& wanted) const;
   void hold_cameras();
@@ -298,8 +298,8 @@ class Session {
   std::vector<Entry> future_;
   bool dragging_ = false;
   bool beside_ = false;
-  long drags_ = 0;                    ///< So far.
-  std::optional<LabelScope> wanted_;  ///< Of pictures that are to be made beside.
+  long drags_ = 0;                    ///< Drags until now.
+  std::optional<LabelScope> wanted_;  ///< The scope of pictures that are to be made beside.
   bool making_ = false;
   /// The picture that was shown before.
   struct BeforeDrag {
@@ -307,7 +307,7 @@ class Session {
     int index = 0;
     long layout = 0;
   };
-  std::optional<BeforeDrag> before_drag_;  ///< Of a drag beside, until it has settled.
+  std::optional<BeforeDrag> before_drag_;  ///< Kept for a drag beside, until it has settled.
   std::vector<std::size_t> follows_;  ///< Views that a difference may not leave, during a drag.
   std::optional<std::size_t> held_;
   bool predicting_ = false;

@@ -17,7 +17,7 @@ struct SiteOptions {
   bool index = false;  ///< Also an index of the lessons, a playground and a page about them all,
                        ///< and links between the pages.
   bool force = false;  ///< Replace files that were not exported.
-  std::string file_name = {};  ///< Of the one page that is asked for; empty: by lesson.
+  std::string file_name = {};  ///< For the one page that is asked for; empty: by lesson.
 };
 
 /// Writes `<lesson>.html` for each lesson; with `index` also index.html, playground.html and

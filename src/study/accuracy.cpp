@@ -18,7 +18,7 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLeastRepetitions = 5;
 constexpr std::size_t kMostRepetitions = 101;
-constexpr double kJudgingShare = 0.3;  ///< Of a family's time, about.
+constexpr double kJudgingShare = 0.3;  ///< The share of a family's time spent on judging, about.
 
 /// The truth about each pair of a family, as it was given and as configurations keep it.
 class Truths {
@@ -32,8 +32,8 @@ class Truths {
   [[nodiscard]] const std::vector<Truth<2>>& given() const { return given_; }
   [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
 
-  /// Of pairs rounded to floats or halves; those that go beyond the range of these have a truth
-  /// that says nothing.
+  /// The truth about pairs rounded to floats or halves; for pairs that go beyond the range of these
+  /// it is empty.
   [[nodiscard]] const std::vector<Truth<2>>& as_kept(Arithmetic arithmetic,
                                                      const std::vector<DoublePair>& kept) {
     switch (arithmetic) {

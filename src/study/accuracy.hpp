@@ -35,7 +35,7 @@ struct Row {
 
   int pairs = 0;
   int timed_pairs = 0;  ///< The first so many were timed.
-  int repetitions = 0;  ///< Of the timing; each asks about every one of them.
+  int repetitions = 0;  ///< Each asks about every timed pair.
   Quartiles ns;         ///< Per query. Without repetitions all of these are 0.
   Quartiles ratio;      ///< To the default configuration, repetition by repetition.
   double instructions = std::numeric_limits<double>::quiet_NaN();  ///< Per query; see Counter.
@@ -49,24 +49,24 @@ struct Row {
   int wrong_as_kept = 0;  ///< of the pair as the configuration keeps it.
   int broken_bounds = 0;  ///< The distance does not lie between the bounds.
 
-  /// Of the pairs as they were given; infinity when there is a pair without answer.
+  /// For the pairs as they were given; infinity when there is a pair without answer.
   double error = 0.0;
   double error_scale = 0.0;
   double middle_error_scale = 0.0;  ///< The median over the pairs that have an answer.
-  /// Of the pairs as they are kept: what computing alone does.
+  /// For the pairs as they are kept: the error of computing alone.
   double error_as_kept = 0.0;
   double error_units = 0.0;    ///< In units of u * scale, u of the type of the answer.
   double witness_scale = 0.0;  ///< See Judgement::witness.
-  double width_scale = 0.0;    ///< Of the bounds; NaN where there are none.
+  double width_scale = 0.0;    ///< The width of the bounds; NaN without bounds.
 
   bool on_front = false;  ///< See mark_front.
   WorstCase worst;
 };
 
-/// Where and how it was measured.
+/// The machine and the program that measured.
 struct Machine {
   std::string processor;
-  int threads = 0;  ///< That the machine has; the study uses one.
+  int threads = 0;  ///< The machine's threads; the study uses one.
   std::string compiler;
   std::string flags;
   std::string commit;  ///< When the program was configured.
@@ -78,7 +78,7 @@ struct Costlier {
   std::string family;
   std::string less;
   std::string more;
-  Quartiles ratio;     ///< Of the time of `less` to that of `more`, repetition by repetition.
+  Quartiles ratio;     ///< The time of `less` to that of `more`, repetition by repetition.
   std::string reason;  ///< By what was counted.
 };
 
@@ -86,7 +86,7 @@ struct Plan {
   std::uint64_t seed = 1;
   bool quick = false;
   Sizes sizes;
-  double seconds_per_family = 7.0;    ///< Of timing, about.
+  double seconds_per_family = 7.0;    ///< Seconds of timing, about.
   double seconds_per_turn = 2e-4;     ///< At least: shorter ones are at the mercy of the clock.
   std::vector<Case> reported;         ///< See families_of.
   std::vector<std::string> families;  ///< Names of those that are asked about; empty: all.

@@ -1,5 +1,5 @@
-// What the summary of a study comes to, in words. Every number is read from its rows, and every
-// sentence holds whatever they are.
+// The summary of a study in words. Every number is read from its rows, and every sentence holds
+// whatever they are.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -91,8 +91,8 @@ class Advice {
         machine.compiler, machine.flags, machine.commit, study_.seed);
   }
 
-  /// Of the rows that `suit` and are as fast as any of them, but for what is noise or a matter of
-  /// the processor, the first: the plainest. A cap buys no accuracy.
+  /// The first, which is the plainest, of the rows that `suit` and are as fast as any of them, but
+  /// for noise or a matter of the processor. A cap buys no accuracy.
   template <class Suits>
   [[nodiscard]] static const Row* fastest(const RowList& rows, Suits suits) {
     constexpr double kAlike = 1.25;

@@ -10,10 +10,10 @@
 namespace gjkscope::study {
 
 struct Answer : Claim<2> {
-  // What it took.
+  // The work behind the answer.
   int iterations = 0;
   int support_queries = 0;
-  int start_vertices = 1;  ///< Of the first simplex.
+  int start_vertices = 1;  ///< Vertices of the first simplex.
   bool settled = false;    ///< Exact arithmetic ran on where rounding left something open.
 };
 
@@ -22,7 +22,7 @@ struct Answer : Claim<2> {
 struct Asked {
   std::vector<DoublePair> kept;  ///< The pairs after rounding to what the configuration keeps.
   Contestant contestant;         ///< Its sweep asks about all of them, in order.
-  std::vector<Answer> answers;   ///< Of the sweep.
+  std::vector<Answer> answers;   ///< The answers of the sweep.
 };
 
 /// A warm start needs a family in motion.

@@ -1,6 +1,6 @@
 #pragma once
-// What buys accuracy, as values: the arithmetic of a query, how far its answer is proved, the rules
-// by which the run decides, when it stops and where it starts.
+// The settings that buy accuracy, as values: the arithmetic of a query, how far its answer is
+// proved, the rules by which the run decides, when it stops and where it starts.
 
 #include <cstdint>
 #include <optional>

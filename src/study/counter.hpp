@@ -1,5 +1,5 @@
 #pragma once
-// What the processor counts, where the system lets a program read it.
+// The processor's counters, on systems that let a program read them.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@ class Counter {
  public:
   enum class Kind : std::uint8_t {
     instructions,  ///< Retired; only where there are hardware counters.
-    nanoseconds,   ///< Of processor time; kept by the kernel itself.
+    nanoseconds,   ///< Processor time; kept by the kernel itself.
   };
   explicit Counter(Kind kind);
   ~Counter();

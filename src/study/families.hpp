@@ -54,7 +54,7 @@ inline constexpr std::array<std::string_view, 26> kFamilyNames = {
     "inside",    "posed",    "needle",    "needle-polygon", "parallel",   "gap",   "speck",
     "shallow",   "touching", "grazing",   "tiny",           "huge",       "ratio", "offset",
     "denormals", "flat",     "sliver",    "grain",          "ulp"};
-inline constexpr int kFamilyCount = 22;  ///< Of the plane.
+inline constexpr int kFamilyCount = 22;  ///< The families of the plane.
 inline constexpr int kSpaceFamilyCount = static_cast<int>(kFamilyNames.size());
 
 enum class Representation : std::uint8_t {
@@ -190,7 +190,7 @@ class Source {
       return out;
     }
   }
-  /// Of small integers, with columns of the same length.
+  /// A turn of small integers, with columns of the same length.
   template <int D>
   [[nodiscard]] Turn<D> integer_turn() {
     if constexpr (D == 2) {
@@ -771,7 +771,7 @@ class Source {
     }
   }
 
-  /// What the plane and space have their own ways to make.
+  /// Makes pairs of the families that the plane and space have their own ways to make.
   template <int D>
   [[nodiscard]] Pair<double, D> make_of(Family family, bool floats) {
     if constexpr (D == 2) {

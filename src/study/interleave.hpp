@@ -50,7 +50,7 @@ struct Quartiles {
   double median = 0.0;
   double high = 0.0;
 };
-/// Of at least one value.
+/// Needs at least one value.
 [[nodiscard]] inline Quartiles quartiles(std::vector<double> values) {
   const auto rank = [&](double share) {
     const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
@@ -61,7 +61,7 @@ struct Quartiles {
 }
 
 struct Timing {
-  double sum = 0.0;        ///< Of the distances.
+  double sum = 0.0;        ///< The sum of the distances.
   std::vector<double> ns;  ///< Per query; one value a repetition.
 };
 /// How long `a` took as a share of `b`, repetition by repetition.

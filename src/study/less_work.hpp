@@ -11,11 +11,11 @@
 
 namespace gjkscope::study {
 
-/// What the timed answers took, counted: averages over the queries.
+/// The work behind the timed answers: averages over the queries.
 struct Work {
   double iterations = 0.0;
   double support_queries = 0.0;
-  double start_vertices = 1.0;  ///< Of the first simplex.
+  double start_vertices = 1.0;  ///< Vertices of the first simplex.
   double settled = 0.0;         ///< The share of queries on which exact arithmetic ran on.
   double instructions = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not counted.
 };
@@ -50,7 +50,7 @@ struct CostlierPair {
   std::string less;
   std::string more;
   std::vector<std::string> families;
-  double least = 0.0;  ///< Of the median ratios,
+  double least = 0.0;  ///< The least of the median ratios,
   double most = 0.0;
   std::string reason;  ///< where it is largest.
 };
@@ -58,7 +58,7 @@ struct CostlierPair {
 [[nodiscard]] std::vector<CostlierPair> costlier_pairs(const Study& study);
 /// "1.07", "1.07 to 1.31"
 [[nodiscard]] std::string ratios_text(const CostlierPair& pair);
-/// What was compared, by which rule a pair is listed, and how many are, in whole sentences.
+/// Says in whole sentences what was compared, by which rule a pair is listed, and how many are.
 [[nodiscard]] std::string costlier_about(const Study& study);
 
 }  // namespace gjkscope::study

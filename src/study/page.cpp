@@ -211,7 +211,7 @@ std::string chart(const Axes& axes, const std::vector<const Row*>& rows) {
       fmt::arg("numbers", numbers(axes, front)), fmt::arg("list", front_list(front)));
 }
 
-/// Where doing less costs more.
+/// The section on configurations that do less and cost more.
 std::string costlier(const Study& study) {
   std::string out = "<p>" + escape_html(costlier_about(study)) + "</p>";
   const std::vector<CostlierPair> pairs = costlier_pairs(study);

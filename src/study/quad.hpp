@@ -67,7 +67,7 @@ static_assert(sizeof(Quad) == 16);
 
 }  // namespace gjkscope
 
-/// What the core and Eigen ask for.
+/// The traits that the core and Eigen ask for.
 // NOLINTBEGIN(readability-identifier-naming): the names are the standard library's.
 template <>
 class std::numeric_limits<gjkscope::Quad> {

@@ -31,8 +31,8 @@ inline constexpr std::string_view kOrdinary = "random";
 /// For a terminal: the summary, and the front of each family.
 [[nodiscard]] std::string table(const Study& study);
 
-/// What to use to be sure of so many digits, what it costs, and what each choice does, as Markdown.
-/// Made from a summary alone.
+/// Advice on what to use to be sure of so many digits, what it costs, and what each choice does, as
+/// Markdown. Made from a summary alone.
 [[nodiscard]] std::string advice(const Study& summary);
 
 /// One page that needs nothing else: error against time for each family. `html`: the template

@@ -58,7 +58,7 @@ template <class Result>
   return result.iterations - (ended_before ? 1 : 0) + (options.start.count == 0 ? 1 : 0);
 }
 
-/// Of a result in a scalar that rounds.
+/// For a result in a scalar that rounds.
 template <class Result>
 [[nodiscard]] Answer answer_of(const Result& result, const gjk::Options& options) {
   Answer out;

@@ -10,8 +10,8 @@
 #include "exact/integer.hpp"
 
 // Floating-point numbers are integers times a power of two, and so are vertices moved by poses.
-// Where X and Y stand on such a common grid nothing divides and nothing rounds. The simplex that
-// was guessed is improved until a proof holds:
+// Nothing divides and nothing rounds when X and Y stand on such a common grid. The simplex that was
+// guessed is improved until a proof holds:
 //
 //   apart:   all of Z = Y - X lies beyond the plane through P, normal to P, where P is the nearest
 //            point to O of the hull of some vertices of Z;

@@ -16,9 +16,9 @@ struct Truth {
   bool overlap = false;   ///< The shapes share a point,
   bool touching = false;  ///< but O is no inner point of Z.
   double distance = 0.0;  ///< The nearest double.
-  Quad rest;  ///< What that leaves out. With it, good to 2^-160 of itself: quad can be judged, too.
+  Quad rest;  ///< The sum with `distance` is good to 2^-160 of itself, enough to judge quad.
   long double scale = 0;           ///< The largest distance between a vertex of X and one of Y.
-  families::Pair<double, D> pair;  ///< What it is the truth about.
+  families::Pair<double, D> pair;  ///< The pair that it is the truth about.
 };
 
 /// A good guess at the pairs of vertices that the distance hangs on saves time, and a wrong one
@@ -31,8 +31,8 @@ template <int D>
 template <int D>
 [[nodiscard]] double difference(const Quad& value, const Truth<D>& truth);
 
-/// What a run says of a pair, in any arithmetic, widened: nothing rounds, since 113 bits hold every
-/// type that the core answers in.
+/// The claims of a run about a pair, in any arithmetic, widened: nothing rounds, since 113 bits
+/// hold every type that the core answers in.
 template <int D>
 struct Claim {
   bool refused = false;  ///< There is no answer: the query was refused.
@@ -44,8 +44,8 @@ struct Claim {
   std::array<Quad, D> x;  ///< Witness points.
   std::array<Quad, D> y;
   gjk::WarmStart near;  ///< Vertices they may be close to: a guess, that saves time.
-  /// Of the scalar of the witness points, when they are to be forgiven that far from the origin
-  /// they stand on a coarse grid.
+  /// The unit roundoff of the witness points' scalar, when they are to be forgiven that far from
+  /// the origin they stand on a coarse grid.
   double unit_roundoff = 0.0;
 };
 

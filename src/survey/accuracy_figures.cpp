@@ -25,7 +25,7 @@ constexpr double kMargin = 32.0;
 constexpr double kTitleLine = 48.0;
 constexpr double kAboutLine = 76.0;
 constexpr double kPlotTop = 98.0;
-constexpr double kListLeft = 888.0;  ///< Where there is a list beside the plot.
+constexpr double kListLeft = 888.0;  ///< The left edge of a list beside the plot.
 constexpr double kListGap = 28.0;
 constexpr double kRowHeight = 44.0;
 
@@ -129,7 +129,7 @@ class Figures {
                                   "What accuracy costs: " + first.family, std::move(about));
   }
 
-  /// What the plot shows of a row.
+  /// The dot of a row in the plot.
   [[nodiscard]] static StudyDot dot_of(const Row& row) {
     StudyDot dot;
     dot.family = row.family;

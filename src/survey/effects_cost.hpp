@@ -1,5 +1,5 @@
 #pragma once
-// What effects cost: the frames of each lesson, with each effect and without.
+// The cost of effects: the frames of each lesson, with each effect and without.
 
 #include <functional>
 #include <string>
@@ -13,14 +13,14 @@ namespace gjkscope {
 
 struct EffectCost {
   std::string lesson;
-  std::string effect;  ///< Of the last row of a lesson: empty, for all that nothing calls for.
-  std::string off;     ///< What was taken away to be without it: "hull in a view, block bounds".
+  std::string effect;  ///< Empty in the last row of a lesson, for all that nothing calls for.
+  std::string off;     ///< Things taken away to be without it: "hull in a view, block bounds".
   int frames = 0;
   long pulls = 0;           ///< How often the frames ask for it, and
   long runs = 0;            ///< how often it is computed for them.
   long pulls_off = 0;       ///< Not 0: the lesson cannot be without it, and there is no ratio.
-  double share = 0.0;       ///< Of the time of all frames, spent computing it and what it pulls.
-  int repetitions = 0;      ///< Of the timing. Without any the rest is 0.
+  double share = 0.0;       ///< The share of the frames' time spent computing it and what it pulls.
+  int repetitions = 0;      ///< Repetitions of the timing. Without any the rest is 0.
   study::Quartiles ns;      ///< Per frame, with it.
   study::Quartiles ns_off;  ///< Without it.
   study::Quartiles ratio;   ///< With it to without, repetition by repetition.

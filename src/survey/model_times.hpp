@@ -11,7 +11,7 @@
 
 namespace gjkscope {
 
-/// Of the first pair of outlines of each size.
+/// Times for the first pair of outlines of each size.
 struct ModelTimes {
   std::string lesson;
   std::vector<int> sizes;

@@ -1,5 +1,5 @@
 #pragma once
-// What supersampling costs: pictures drawn by OpenGL with few samples a pixel, against one with
+// The cost of supersampling: pictures drawn by OpenGL with few samples a pixel, against one with
 // many.
 
 #include <array>

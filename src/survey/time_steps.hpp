@@ -1,5 +1,5 @@
 #pragma once
-// What time steps cost: the state of scenes with a clock against the size of the step.
+// The cost of time steps: the state of scenes with a clock against the size of the step.
 
 #include <functional>
 #include <string>
@@ -16,11 +16,11 @@ struct TimeStepCost {
   std::string lesson;
   double step = 0.0;        ///< Seconds.
   bool is_shown = false;    ///< It is the lesson's own.
-  double error = 0.0;       ///< Of a beam: of its angle at the lesson's moments, the largest over
+  double error = 0.0;       ///< Error of a beam's angle at the lesson's moments, the largest over
                             ///< its runs, in radians, against steps of kFinestStep. Of a motion:
                             ///< of the place of a vertex at the moments that the coarsest step
                             ///< shares with the others, in the world's unit, against the finest.
-  double iterations = 0.0;  ///< Of a motion: of a run, on average,
+  double iterations = 0.0;  ///< On average over the runs of a motion,
   double cold_iterations = 0.0;  ///< and when each run starts anew.
   int repetitions = 0;
   study::Quartiles ns;  ///< For each second that passes in the scene.

@@ -1,4 +1,4 @@
-// What the page's script calls: texts and fonts go in as bytes, texts come out as bytes.
+// The functions that the page's script calls. Texts and fonts go in and texts come out as bytes.
 
 #include <emscripten/emscripten.h>
 
@@ -17,7 +17,7 @@ std::array<FaceBytes, kFaceCount> fonts;
 std::unique_ptr<Player> player;
 std::string said;
 
-/// Of a character below U+10000.
+/// Encodes a character below U+10000.
 std::string utf8(char32_t c) {
   const auto tail = [](char32_t bits) { return static_cast<char>(0x80 | (bits & 0x3F)); };
   if (c < 0x80) return {static_cast<char>(c)};

@@ -1,5 +1,5 @@
-// Where the core's time goes: queries by family and scalar, traces, vertex counts, and what is made
-// of a finished run.
+// The core's time by task: queries by family and scalar, traces, vertex counts, and what is made of
+// a finished run.
 
 #include <benchmark/benchmark.h>
 
@@ -14,7 +14,7 @@ using namespace bench;
 using families::Family;
 
 constexpr std::uint64_t kSeed = 20100309;
-constexpr std::size_t kPairs = 1024;  ///< Of a family.
+constexpr std::size_t kPairs = 1024;  ///< Pairs of each family.
 
 template <class S>
 std::vector<families::Pair<S>> pairs_of(Family family) {
@@ -89,7 +89,7 @@ void by_vertices(benchmark::State& state, bool in_order) {
 BENCHMARK_CAPTURE(by_vertices, ring, true)->RangeMultiplier(4)->Range(4, 1024);
 BENCHMARK_CAPTURE(by_vertices, disordered, false)->RangeMultiplier(4)->Range(4, 1024);
 
-/// Of a run that has ended: distance, witness points, bounds.
+/// Results of a run that has ended: distance, witness points, bounds.
 void result(benchmark::State& state, bool certify) {
   struct Ended {
     families::Pair<double> pair;

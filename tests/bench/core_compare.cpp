@@ -22,7 +22,7 @@ using namespace bench;
 
 constexpr std::uint64_t kSeed = 20100309;
 
-/// What is printed, kept for a document.
+/// Prints text and keeps it for a document.
 class Report {
  public:
   template <class... Values>
@@ -72,7 +72,7 @@ struct Cell {
   Spacing spacing;
 };
 
-/// What is timed. Polygons are always posed, as bodies are.
+/// The cells to be timed. Polygons are always posed, as bodies are.
 template <int D>
 std::vector<Cell> grid() {
   std::vector<Cell> out;

@@ -1,6 +1,6 @@
-// Where the time of an export goes: building, painting, encoding one frame of 1280 x 720, and all
-// shipped lessons from file to file. The last one is what the project promises: at least 30 frames
-// per second on two cores. export_costs.cpp has ratios.
+// The time of an export by task: building, painting, encoding one frame of 1280 x 720, and all
+// shipped lessons from file to file. The project promises the last one: at least 30 frames per
+// second on two cores. export_costs.cpp has ratios.
 
 #include <benchmark/benchmark.h>
 

@@ -1,4 +1,4 @@
-// What exports cost, as ratios within one run: PNG sequences of all lessons against drawing and
+// The cost of exports, as ratios within one run: PNG sequences of all lessons against drawing and
 // encoding one plain frame on one core, the same frame by matplotlib, SVG, memory at 3840 x 2160,
 // and twice and four times as many frames. Each is measured in a process of its own, in turns.
 
@@ -53,7 +53,7 @@ struct Measured {
   double megabytes = 0.0;  ///< The most memory that it had.
 };
 
-/// What `work` returns, in a process of its own: a renderer's threads and memory are then those
+/// The result of `work` in a process of its own: a renderer's threads and memory are then those
 /// that it needs itself.
 Measured in_process(const std::function<double()>& work) {
   std::array<int, 2> ends = {};
@@ -113,7 +113,7 @@ class Bench {
                bytes += encode_png(image).size();
              };
              draw();
-             // Of the processor: on one core, what it takes where nobody else is there.
+             // Processor time: on one core, the time that it takes when nobody else is there.
              const std::clock_t begin = std::clock();
              for (int i = 0; i < kPlainFrames; ++i) draw();
              const auto ticks = static_cast<double>(std::clock() - begin);
@@ -150,7 +150,7 @@ class Bench {
     if (found.seconds != 0.0) throw std::runtime_error("failed: " + command);
     return found.megabytes;
   }
-  /// Of a lesson that is exported `times` times.
+  /// The seconds for a lesson that is exported `times` times.
   [[nodiscard]] double repeated(int times) const {
     return exported(std::vector<Lesson>(static_cast<std::size_t>(times), named("polygons-gjk")),
                     Format::png, 1280, 720)

@@ -17,7 +17,7 @@ struct Prepared {
   fcl::Transform3d y_pose;
 };
 
-/// Of vertices alone: distances do not look at faces, and up to 32 vertices are scanned anyway.
+/// Vertices alone: distances do not look at faces, and up to 32 vertices are scanned anyway.
 Convex to_fcl(const std::vector<Point<3>>& shape) {
   return {std::make_shared<std::vector<fcl::Vector3d>>(shape), 0,
           std::make_shared<std::vector<int>>()};

@@ -25,7 +25,7 @@ using models::Circle;
 using models::Model;
 using models::Point;
 
-/// Of processor time.
+/// Seconds of processor time.
 double seconds(const std::function<void()>& work) {
   const std::clock_t begin = std::clock();
   work();
@@ -84,7 +84,7 @@ void distances(int segments) {
       {"FCL " PEER_VERSION ", trees of swept rectangles", [&] { by_fcl = fcl.distance(); }});
 #endif
   take_turns(all, 21);
-  // Of many segments, those of X that brute force looks at are a share.
+  // Brute force looks at a share of the segments of X when there are many.
   const int share = segments > 10000 ? 1000 : 1;
   models::Outline part{x.outlines[0].points, share == 1};
   if (share > 1) part.points.resize(static_cast<std::size_t>(segments / share) + 1);
@@ -141,7 +141,7 @@ void coherence() {
     constexpr int kPositions = 200;
     const Model x = regular(n, Point(0.0, 0.0), 0.1);
     for (int i = 0; i < kPositions; ++i) {
-      // So slow that the closest point moves by about one edge, whatever n is.
+      // The turn is so small that the closest point moves by about one edge, whatever n is.
       const double angle = 2.0 * std::numbers::pi * i / n;
       const Model y = regular(n, 2.5 * Point(std::cos(angle), std::sin(angle)), 0.3);
       const models::WalkQuery query = models::walk_query(x, y);

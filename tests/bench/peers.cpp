@@ -36,7 +36,7 @@ std::vector<Library<D>> libraries_for(Representation representation) {
   return out;
 }
 
-/// What happened to one family, library by library.
+/// The outcome of one family, library by library.
 struct Row {
   Family family = Family::random;
   std::vector<Tally> tallies;

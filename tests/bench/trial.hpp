@@ -24,7 +24,7 @@ template <int D>
 inline constexpr double kFloatLimit = 1e-3;
 inline constexpr double kDoubleLimit = 1e-9;
 
-inline constexpr int kSecondsPerQuery = 2;  ///< Of processor time; then a library is stopped.
+inline constexpr int kSecondsPerQuery = 2;  ///< Processor time; then a library is stopped.
 
 struct Tally {
   int asked = 0;

@@ -44,13 +44,13 @@ struct Times {
   std::vector<double> sorted;
 };
 
-/// Where Y's vertex goes in frame i of n, from where it was: once around a circle.
+/// The way of Y's vertex from its start to frame i of n: once around a circle.
 Point on_circle(int i, int n) {
   const double turn = 2.0 * std::numbers::pi * i / n;
   return 40.0 * Point(std::cos(turn) - 1.0, std::sin(turn));
 }
 
-/// Of each of `frames` frames of a drag the window's own work.
+/// The time of the window's own work in each of `frames` frames of a drag.
 Times own_times(const std::string& lesson, int frames, double width, double height) {
   test::HeadlessApp window(lesson);
   window.resize(width, height);
@@ -69,8 +69,8 @@ Times own_times(const std::string& lesson, int frames, double width, double heig
   return Times(std::move(times));
 }
 
-/// What one run of the program showed: how long the first frame took, the process started and all,
-/// and each frame of a drag.
+/// The times of one run of the program: to the first frame, from the start of the process, and of
+/// each frame of a drag.
 struct Run {
   double start = 0.0;
   std::vector<double> frames;

@@ -54,7 +54,7 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
   }
 }
 
-/// Of the first shipped lesson with an act.
+/// The trace of the first shipped lesson with an act.
 std::string trace_of_lesson_with(std::string_view act) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     if (lesson.act != act) continue;

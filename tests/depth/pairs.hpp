@@ -93,7 +93,7 @@ inline constexpr auto kDenormals = static_cast<DepthFamily>(families::Family::de
 /// The most that lengths may be off, in u * scale.
 inline const Judgement kBars = {"", 4, 16, 8, 8};
 
-/// What breaks a bar or a claim, or "".
+/// The bar or claim that is broken, or "".
 template <class R>
 [[nodiscard]] std::string broken_bar(const depth::Result<R>& result, const Judgement& found,
                                      const Judgement& bars) {

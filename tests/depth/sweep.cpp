@@ -32,7 +32,7 @@ struct Failure {
   std::string text;
 };
 
-/// What became of the pairs of one family, one representation and one mode.
+/// The outcome of the pairs of one family, one representation and one mode.
 struct Row {
   static constexpr std::size_t kKept = 2;  ///< Failures to be shown.
   enum Count { pairs, broken, touching, separated, settled, repeated, kCounts };

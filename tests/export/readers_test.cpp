@@ -1,4 +1,4 @@
-// What other programs read in exported files. Each is in scripts/packages.txt.
+// Exported files as other programs read them. Each of these is in scripts/packages.txt.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const fs::path kSource = GJKSCOPE_SOURCE_DIR;
 
-/// What a command prints; fails where it fails.
+/// The output of a command; fails when the command does.
 std::string said(const std::string& command) {
   std::FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
   std::string out;

@@ -1,5 +1,5 @@
 #pragma once
-// What the targets hold their input to.
+// Claims that the targets make about their input.
 
 #include <cstdio>
 #include <cstdlib>

@@ -100,7 +100,7 @@ void claim_sound(const LessonRun& run) {
   }
 }
 
-/// What `gjkscope check` tells.
+/// Checks the output of `gjkscope check`.
 void claim_checked(const LessonRun& run, std::string_view text) {
   for (const Problem& problem : check_expectation(run)) claim_located(problem, text);
   for (const LessonText& shown : texts_of(run.lesson)) {
@@ -110,7 +110,7 @@ void claim_checked(const LessonRun& run, std::string_view text) {
   }
 }
 
-/// What `gjkscope trace` tells.
+/// Checks the output of `gjkscope trace`.
 void claim_told(const LessonRun& run) {
   std::size_t steps = 0;
   for (const PositionedRun& positioned : run.runs) steps += positioned.trace.steps.size();
@@ -135,7 +135,7 @@ bool is_finite(const Cross& shape) {
 bool is_finite(const Box& shape) { return is_finite(shape.rect) && std::isfinite(shape.corner); }
 bool is_finite(const Text& shape) { return shape.at.allFinite(); }
 
-/// What `gjkscope export` would draw, of some frames.
+/// Checks the pictures that `gjkscope export` would draw, for some frames.
 void claim_drawn(LessonRun run) {
   for (const PositionedRun& positioned : run.runs) {
     if (!why_not_drawn(positioned).empty()) return;

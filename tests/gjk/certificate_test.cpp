@@ -1,5 +1,5 @@
-// What is proved of an answer: bounds around the exact distance, no wider than rounding explains,
-// and exact arithmetic where they leave the verdict open.
+// Proofs of an answer: bounds around the exact distance, no wider than rounding explains, and exact
+// arithmetic where they leave the verdict open.
 
 #include "gjk/proof/certificate.hpp"
 
@@ -34,7 +34,7 @@ template <class R>
 struct Proved : gjk::Bounds<R> {
   bool tight = true;
 };
-/// What is proved of a run that `ended` by itself.
+/// The proved bounds of a run that `ended` by itself.
 template <class R, class S>
 Proved<R> proved(const gjk::State<R, 2>& state, const gjk::Query<S, 2>& query,
                  const gjk::Prepared<R, 2>& prepared, bool ended = true) {
@@ -331,7 +331,7 @@ TEST(near_width, "close to O, bounds are tight that are no wider than four times
     rounded.state.evidence.plane_distance_sq = plane * plane;
     return rounded.bounds(true).tight;
   };
-  // Of 24 the plane's own error takes 4, and the upper bound 6.
+  // The plane's own error takes 4 of 24 roundings, and the upper bound 6.
   CHECK(is_tight(0));
   CHECK(is_tight(12));
   CHECK(!is_tight(16));

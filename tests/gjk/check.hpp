@@ -1,5 +1,5 @@
 #pragma once
-// What a test program needs, in one header: the core must prove itself on a machine that has only a
+// Tools for a test program, in one header: the core must prove itself on a machine that has only a
 // compiler and Eigen. A program is a list of TESTs, each a claim, and `main` from main.cpp; named
 // files of it run alone: gjk-tests simplex_test.
 
@@ -34,9 +34,9 @@ struct Test {
 
 struct Session {
   std::vector<Test> tests;
-  std::vector<std::string> arguments;  ///< What the command line says beyond names of files.
-  std::string context;  ///< What a failure names besides the check: seed, pair, family.
-  int failures = 0;     ///< Of the running test.
+  std::vector<std::string> arguments;  ///< The command line's arguments besides names of files.
+  std::string context;  ///< Named by a failure besides the check: seed, pair, family.
+  int failures = 0;     ///< Failures of the running test.
 };
 [[nodiscard]] inline Session& session() {
   static Session the_session;

@@ -174,7 +174,7 @@ TEST(float_values, "float values are floats, in every family, and full doubles m
   count_floats<3>();
 }
 
-/// Of the bits of a seed's pairs: FNV-1a, by words.
+/// A hash of the bits of a seed's pairs: FNV-1a, by words.
 template <int D>
 std::uint64_t hash_of_pairs(std::uint64_t seed) {
   std::uint64_t hash = 0xcbf29ce484222325;

@@ -1,5 +1,5 @@
-// What a run knows beforehand: errors by name, the unit of length, how far Z reaches, how much
-// rounding can do.
+// Facts that a run knows beforehand: errors by name, the unit of length, how far Z reaches, how
+// much rounding can do.
 
 #include "gjk/proof/prepare.hpp"
 
@@ -171,7 +171,7 @@ TEST(rounding, "bounds of rounding add up to what the analysis of each operation
   constexpr double kVertex = kRoundoff * (kExtent + kMoved);
   CHECK_EQ(kReach, found.from_origins);
   CHECK_EQ(kVertex, found.vertex_error);
-  // Of the vertices that a scan compares each is a dot product, and was placed before.
+  // Each of the vertices that a scan compares is a dot product, and was placed before.
   constexpr double kScan = kRoundoff * (4 * kExtent + 2 * kMoved);
   CHECK_EQ(kScan, found.scan_error_within(0.0));
   CHECK_EQ(kScan + 2 * 0x1p-50 * kExtent, found.scan_error_within(0x1p-50));

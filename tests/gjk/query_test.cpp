@@ -186,7 +186,7 @@ TEST(measured_extremes, "radii neither overflow nor underflow where points do no
     CHECK_EQ(std::ldexp(5.0, k), points(shape).radius);
     CHECK(points(shape).is_finite);
   }
-  // Where radii are denormal they are rounded up: sqrt(2), sqrt(8) and 5 of the smallest numbers.
+  // Denormal radii are rounded up: sqrt(2), sqrt(8) and 5 of the smallest numbers.
   constexpr double kLeast = std::numeric_limits<double>::denorm_min();
   const auto radius_of = [](double x, double y) {
     return points<double>({{x, y}, {-x, -y}}).radius;

@@ -1,4 +1,4 @@
-// What the core relies on in a scalar type.
+// Properties of a scalar type that the core relies on.
 
 #include "gjk/proof/scalar.hpp"
 

@@ -1,6 +1,6 @@
-// What every lesson came to when it was last looked at: the outcome that its file states, its trace
-// and its transcript, a few pictures as lists of marks, and fewer still as pixels. A change that is
-// meant is taken over by `scripts/golden`, and shows in the diff.
+// The known results of every lesson: the outcome that its file states, its trace and its
+// transcript, a few pictures as lists of marks, and fewer still as pixels. A change that is meant
+// is taken over by `scripts/golden`, and shows in the diff.
 
 #include <gtest/gtest.h>
 

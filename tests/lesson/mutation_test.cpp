@@ -217,7 +217,7 @@ std::vector<std::string> originals() {
   return texts;
 }
 
-/// What frames say of a run must be there to be drawn.
+/// All that frames say of a run must be there to be drawn.
 void expect_sound(const LessonRun& run) {
   ASSERT_FALSE(run.runs.empty());
   for (const PositionedRun& positioned : run.runs) {
@@ -231,7 +231,7 @@ void expect_sound(const LessonRun& run) {
   }
 }
 
-/// What became of mutants.
+/// The outcome of mutants.
 struct Tally {
   int lessons = 0;
   int not_toml = 0;

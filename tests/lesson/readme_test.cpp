@@ -1,4 +1,4 @@
-// What lessons/README.md says is what the code does.
+// Checks that lessons/README.md says what the code does.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What Larsen proves of two convex polygons, on random ones: the outline of their Minkowski
+// Larsen's proofs about two convex polygons, on random ones: the outline of their Minkowski
 // difference edge by edge, and the slab between closest points.
 
 #include <gtest/gtest.h>

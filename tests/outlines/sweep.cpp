@@ -18,7 +18,7 @@ namespace {
 
 using namespace models;
 
-/// What became of the scenes of one family.
+/// The outcome of the scenes of one family.
 struct Row {
   long scenes = 0;
   long overlaps = 0;
@@ -28,7 +28,7 @@ struct Row {
   long pieces = 0;  ///< Scenes that the methods take.
   long walks = 0;
   long broken = 0;
-  double error = 0.0;  ///< Of distances, in roundings (2^-53) of the scene's size.
+  double error = 0.0;  ///< The error of distances, in roundings (2^-53) of the scene's size.
   std::size_t most = 0;
   std::vector<std::string> failures;  ///< The first ones.
 
@@ -38,7 +38,7 @@ struct Row {
     ++broken;
     if (failures.size() < kKept) failures.push_back(fmt::format("scene {}: {}", scenes, what));
   }
-  /// Of a family in which boxes say little: pairs apart, crossing, nested and touching.
+  /// For a family in which boxes say little: pairs apart, crossing, nested and touching.
   void claim_of_all_kinds() {
     const long few = scenes / 10;
     claim(scenes - overlaps > few, "too few pairs are apart");

@@ -1,5 +1,5 @@
 #pragma once
-// What is true of two models, by other means than src/outlines: all pairs of segments in GMP's
+// The truth about two models, by other means than src/outlines: all pairs of segments in GMP's
 // rational numbers, and an even simpler point in polygon.
 
 #include <gmpxx.h>

@@ -85,7 +85,7 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
   EXPECT_EQ(all[0].question->answer, all[0].question->choices[0]);
   EXPECT_FALSE(holds(all[0].caption + all[0].detail, grouped(samples[8].boxes)));
   EXPECT_EQ(all[1].question->answer, trace.agrees(Claim::spheres) ? "yes" : "no");
-  // Of a few segments all pairs of nodes are visited, or nearly.
+  // All pairs of nodes are visited, or nearly, when there are few segments.
   Lesson small = small_lesson();
   small.questions = {{"visits", 2}, {"agrees", 4}};
   LessonGrowth& swapped = small.table.edit<LessonGrowth>();

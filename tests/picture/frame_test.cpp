@@ -154,7 +154,7 @@ class FrameClaims {
   }
 
   const Lesson& lesson_;
-  std::map<std::string, Point> places_;  ///< Of labels, by text and card.
+  std::map<std::string, Point> places_;  ///< Places of labels, by text and card.
 };
 
 class Frames : public ::testing::TestWithParam<Page> {};
@@ -522,7 +522,7 @@ std::vector<std::string> texts_of_frame(const std::string& lesson, std::size_t f
   return texts;
 }
 
-/// What stands after a text on its row.
+/// The text that follows a text on its row.
 std::string after(const std::vector<std::string>& texts, const std::string& text, int next = 1) {
   const auto found = std::find(texts.begin(), texts.end(), text);
   EXPECT_NE(found, texts.end()) << text;
@@ -585,7 +585,7 @@ TEST(Panel, StopTestsThatTheRunHasPassedKeepTheirValues) {
   const std::vector<std::string> support = texts_of_frame("stop-repeated", 5);
   EXPECT_TRUE(after(support, "d = 0").starts_with("|d| = "));
   EXPECT_EQ(after(support, "d = 0", 2), "·") << "of the support point in S";
-  // What a stop phase told stays while the support point joins.
+  // Words of a stop phase stay while the support point joins.
   const LessonRun run = run_lesson(testing::shipped_lesson("stop-contained"));
   int adds = 0;
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
@@ -636,7 +636,7 @@ TEST(Pictures, AVertexIsDroppedOrKeptBesideItsWeight) {
   }
   EXPECT_TRUE(has(drop, "0")) << "B, which is dropped";
 
-  // Where the panel has the weights, it marks those that are kept.
+  // The panel marks the weights that are kept, if it has them.
   const LessonRun pentagon = run_lesson(testing::shipped_lesson("polygon-evolution"));
   EffectGraph of_pentagon(pentagon);
   const auto frames = lesson_pictures(pentagon, of_pentagon, fonts());
@@ -762,7 +762,7 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
       called.insert(view.effects.begin(), view.effects.end());
     const bool counts =
         std::find(lesson.panel.begin(), lesson.panel.end(), "counters") != lesson.panel.end();
-    // What these pull themselves, and what that pulls.
+    // Effects that these pull themselves, and those that they pull.
     std::set<std::string> wanted = called;
     if (counts) wanted.insert("touched-points");
     for (const EffectInfo* effect : registered_effects()) {

@@ -169,7 +169,7 @@ TEST(Linked, WarmStartsAreChartedBesideColdOnes) {
 TEST(Linked, EveryLessonCanBeToldByAnswersSupportPointsAndWeights) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   for (Lesson lesson : testing::shipped_lessons()) {
-    // What goes with the lesson's own act stays away.
+    // Parts that go with the lesson's own act stay away.
     std::erase_if(lesson.views, [](const LessonView& view) { return view.kind == ViewKind::plot; });
     std::erase_if(lesson.panel, [](const std::string& name) {
       return !find_term(vocabulary().blocks, name)->act.empty();

@@ -23,7 +23,7 @@ namespace roles_test {
 
 const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets";
 
-/// What marks points; their roles are what a frame is about.
+/// Roles of marks for points: a frame is about these.
 const std::set<std::string, std::less<>> kPoints = {
     "simplex.vertex", "support.vertex", "closest",        "query",          "origin",
     "dropped",        "shape.vertex",   "shape.x.vertex", "shape.y.vertex", "polygon.vertex",
@@ -104,7 +104,7 @@ std::set<std::string> roles_of_theme() {
   return roles;
 }
 
-/// What the program's sources say.
+/// The text of the program's sources.
 std::string sources() {
   std::string all;
   for (const char* folder : {"src", "viewer"}) {

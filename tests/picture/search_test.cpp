@@ -80,7 +80,7 @@ TEST(SearchFrames, NodesAreAsTheirPairs) {
             EXPECT_EQ(states[static_cast<std::size_t>(i)] == NodeState::waiting,
                       waiting.contains(i));
           }
-          // What was never reached lies below something that was cut or measured, or is to come.
+          // A node never reached lies below one that was cut or measured, or is to come.
           const int parent = shown.search.tree(of_x)[static_cast<std::size_t>(i)].parent;
           if (states[static_cast<std::size_t>(i)] == NodeState::off && parent >= 0) {
             EXPECT_NE(states[static_cast<std::size_t>(parent)], NodeState::waiting);

@@ -97,7 +97,7 @@ TEST(Tween, EveryMarkOfALessonMovesOnItsWayOnly) {
     ASSERT_EQ(early.marks.size(), late.marks.size());
     std::size_t next = 0;
     for (const Mark& end : to.marks) {
-      // What fades comes in between.
+      // Marks that fade come in between.
       while (early.marks[next].role != end.role || early.marks[next].subject != end.subject) ++next;
       const Disk* const a = std::get_if<Disk>(&early.marks[next].shape);
       const Disk* const b = std::get_if<Disk>(&late.marks[next].shape);

@@ -20,7 +20,7 @@ const Fonts& fonts() {
   return all;
 }
 
-/// Of a configuration.
+/// The error that a configuration leads to.
 std::string error_of(const std::string& name, const std::string& text) {
   const test::TemporaryFolder folder;
   try {

@@ -1,4 +1,4 @@
-// What is under the pointer.
+// The subject under the pointer.
 
 #include "session/hit.hpp"
 

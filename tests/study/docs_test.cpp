@@ -1,4 +1,4 @@
-// What docs/accuracy.md says is what its numbers say, and these are what the core answers today.
+// Checks that docs/accuracy.md says what its numbers say, and that the core answers so today.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(Docs, AccuracySaysWhatItsNumbersSay) {
   EXPECT_FALSE(documented().quick);
 }
 
-/// Of configurations that are quick to ask; times are those of the machine.
+/// Only configurations that are quick to ask; times are those of the machine.
 TEST(Docs, NumbersAreThoseOfTheCore) {
   std::vector<Configuration> some;
   for (const Arithmetic arithmetic : {Arithmetic::double_, Arithmetic::single_in_double}) {

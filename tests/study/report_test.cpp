@@ -31,7 +31,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// What from_csv says of a text.
+/// The complaint of from_csv about a text.
 std::string complaint(const std::string& text) {
   try {
     static_cast<void>(from_csv(text));

@@ -52,7 +52,7 @@ TEST(EffectGraph, ComputesAValueWhenItIsFirstPulledAndNeverOtherwise) {
   EXPECT_EQ(graph.count("voronoi-regions").pulls, 0);
 }
 
-/// What an act that is not in the program shows of a support step.
+/// The parts of a support step that an act outside the program shows.
 enum class Half { before, after };
 
 TEST(FramePart, AnActTakesStepsApartByNumbersOfItsOwn) {

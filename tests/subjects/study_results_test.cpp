@@ -98,7 +98,7 @@ TEST(Front, OfEqualTimesAndErrorsHoldsThePlainest) {
       << "in the same time";
 }
 
-/// Of any costs: what is on the front is worth its time, and stands for all the others.
+/// For any costs, those on the front are worth their time, and stand for all the others.
 TEST(Front, BeatsAllThatIsNotOnIt) {
   std::uint32_t state = 1;
   const auto among = [&](std::uint32_t count) {

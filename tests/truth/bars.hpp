@@ -7,7 +7,7 @@
 
 namespace gjkscope::study {
 
-/// Of a result in R: u * scale, or the smallest positive number where that is larger.
+/// The unit of a result in R: u * scale, or the smallest positive number if that is larger.
 template <class R, int D>
 [[nodiscard]] double unit_of(const Truth<D>& truth) {
   return static_cast<double>(std::max<long double>(
@@ -28,11 +28,11 @@ template <int D>
 }
 
 inline constexpr double kNoBar = std::numeric_limits<double>::infinity();
-/// What every claim keeps to. In float, whose bounds are judged by float's own u, widths have none.
+/// Bars for every claim. In float, whose bounds are judged by float's own u, widths have none.
 inline constexpr Errors kBars = {4, kNoBar, 4, 16};
 inline constexpr Errors kFloatBars = {4, kNoBar, 4, kNoBar};
 
-/// What breaks a bar, or "".
+/// The bar that is broken, or "".
 [[nodiscard]] inline const char* broken_bar(const Judgement& found, const Errors& errors,
                                             const Errors& bars) {
   if (found.failed) return "no answer, or no number";

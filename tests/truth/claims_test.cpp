@@ -1,5 +1,5 @@
-// What runs claim, held to the exact truth: in every scalar, whatever the options, and of runs in
-// rationals all that they say. truth-sweep does the same for the default options and more pairs.
+// Claims of runs, held to the exact truth: in every scalar, whatever the options, and in rationals
+// all that runs say. truth-sweep does the same for the default options and more pairs.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// What must not matter, and what must not grow: properties that hold for all pairs, in the plane
-// and in space, with pairs that shrink to the smallest that break them. RC_PARAMS="seed=...
-// max_success=..." tries others.
+// Properties that hold for all pairs, in the plane and in space: what must not matter, and what
+// must not grow. Pairs shrink to the smallest that break them. RC_PARAMS="seed=... max_success=..."
+// tries others.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -233,7 +233,7 @@ PROPERTY(BoundsOnlyCloseInAlongATrace) {
 }
 
 PROPERTY(WitnessesOfShapesFarFromTheirOwnOriginsLieInThem) {
-  // What turns in a frame of its own ends near the world's origin, and near the other.
+  // Shapes that turn in a frame of their own end near the world's origin, and near each other.
   const auto turned = [](const Points<D>& points) {
     const double half = coordinate(Digits::many);
     gjk::Pose<double, D> pose;

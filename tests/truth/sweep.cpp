@@ -69,7 +69,7 @@ struct Failure {
   long pair = 0;
 };
 
-/// What became of the pairs of one family, one representation and one mode.
+/// The outcome of the pairs of one family, one representation and one mode.
 struct Row {
   enum Count {
     pairs,

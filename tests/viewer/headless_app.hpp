@@ -36,7 +36,7 @@ class HeadlessApp {
   void wheel(double by);
   void key(const std::string& key, bool ctrl = false, bool shift = false);
   void type(const std::string& text);
-  /// Where the mark of a subject is; fails the test when there is none.
+  /// The place of a subject's mark; fails the test when there is none.
   [[nodiscard]] Point at(const Subject& subject);
 
  private:

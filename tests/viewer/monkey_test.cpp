@@ -94,7 +94,7 @@ TEST(Monkey, RandomEventsBreakNothing) {
     for (int i = 0; i < event_count() / rounds; ++i) monkey.act();
     ImGui::GetIO().MouseDown[0] = false;
     window.settle();
-    // What is shown can be written and read again.
+    // The lesson can be written and read again.
     const LoadedLesson read =
         parse_lesson(lesson_toml(window.session().lesson()), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);

@@ -1,4 +1,4 @@
-// Who gets which part of the window, at any size.
+// The division of the window among its parts, at any size.
 
 #include "room.hpp"
 

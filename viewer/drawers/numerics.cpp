@@ -132,7 +132,7 @@ struct Beside {
   /// The lesson's options where it has none of its own.
   ScalarKind scalar = ScalarKind::exact;
   std::optional<gjk::Options> options;
-  /// What `run` was computed from.
+  /// The input that `run` was computed from.
   struct From {
     long version = 0;
     int run = 0;

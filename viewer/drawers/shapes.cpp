@@ -55,7 +55,7 @@ void make_random_pair(App& app, std::uint64_t seed) {
   app.picture().hand().selected = {};
 }
 
-/// What a shape is, and buttons that make it another one.
+/// Describes a shape, with buttons that make it another one.
 void draw_kit(App& app, std::size_t body, Kit& kit) {
   const LessonShape& now = app.session().lesson().bodies[body];
   ImGui::Text("%s: %zu %s", now.name.c_str(), now.vertices.size(),

@@ -38,12 +38,12 @@ std::vector<std::string> columns_of(const std::vector<FrameText>& texts) {
 struct Table {
   int shown = -1;  ///< The frame that was in sight when it was drawn last.
   long version = -1;
-  std::vector<std::string> columns;  ///< Of that version of the lesson.
+  std::vector<std::string> columns;  ///< The columns of that version of the lesson.
   int pointed = -1;                  ///< The row whose caption is told.
   double width = 400.0;              ///< All columns', in pixels at scale 1.
 };
 
-/// Which step it is, in few words.
+/// Names a step in few words.
 std::string step_name(const FrameText& text) {
   if (text.iteration == 0) return text.phase == "start" ? text.phase : text.position;
   return fmt::format("{} · {}", text.iteration, text.phase);
@@ -166,7 +166,7 @@ void draw_steps(App& app, Table& table) {
   ImGui::TableSetupColumn("step");
   for (const std::string& name : table.columns) ImGui::TableSetupColumn(name.c_str());
   ImGui::TableHeadersRow();
-  // What is asked before it is told is not in the table before it was told.
+  // A question hides the steps after it from the table until they are told.
   const int count = session.last_told() + 1;
   const float row = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   if (std::exchange(table.shown, session.index()) != session.index()) {

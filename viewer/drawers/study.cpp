@@ -47,7 +47,7 @@ ScalarKind scalar_of(Arithmetic arithmetic) {
   return ScalarKind::exact;
 }
 
-/// What a lesson steps otherwise than the configuration; empty when nothing.
+/// The difference between the lesson's run and the configuration; empty when there is none.
 std::string told_apart(const study::Configuration& configuration) {
   switch (configuration.arithmetic) {
     case Arithmetic::long_double:
@@ -74,7 +74,7 @@ fs::path shipped_study(const App& app) { return app.share() / "lessons" / kStudy
 
 struct Study {
   App& app;
-  /// Where a worst run was opened from.
+  /// The lesson and place that a worst run was opened from.
   struct Visit {
     Lesson lesson;
     fs::path file;

@@ -34,7 +34,7 @@ constexpr int kHeight = 900;
 /// Frames after the last event: Dear ImGui needs one to see where things are, and one to act.
 constexpr int kFramesAfterEvent = 3;
 
-/// What the window itself calls of OpenGL; all else is Dear ImGui's back end.
+/// OpenGL functions that the window itself calls; all else is Dear ImGui's back end.
 struct WindowGl {
   decltype(&glViewport) viewport = nullptr;
   decltype(&glClearColor) clear_color = nullptr;
@@ -197,7 +197,7 @@ struct DeleteCursor {
   void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
 };
 
-/// Of the characters that the type faces have, those that headings and numbers need. Each character
+/// The characters that headings and numbers need, of those that the type faces have. Each character
 /// takes time before the first frame.
 const ImWchar* few_characters() {
   static const std::vector<ImWchar> ranges = {0x20, 0xFF, 0x2010, 0x2044, 0x2212, 0x2212, 0};
@@ -221,7 +221,7 @@ bool is_among(const ImWchar* ranges, char32_t character) {
 
 /// A font of the system for characters that the panels' own has not.
 struct MoreType {
-  int index = 0;  ///< Of the face in its file.
+  int index = 0;  ///< The face in its file.
   std::string file;
   std::vector<ImWchar> ranges;
 };

@@ -48,7 +48,7 @@ class Window {
   void settle();
   /// Lets `time` (seconds) pass, as if the user waited.
   void wait(double time);
-  /// What the window shows.
+  /// The pixels of the window.
   [[nodiscard]] Image screenshot();
 
  private:

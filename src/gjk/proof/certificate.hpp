@@ -92,8 +92,8 @@ template <class R, class S, int D>
   return as_far == corners.count;
 }
 
-// Which lengths are measured anew. These limits bound nothing: they choose between a quick bound
-// and a close one, and either holds.
+// Limits below which lengths are measured anew. They bound nothing: they choose between a quick
+// bound and a close one, and either holds.
 
 /// A distance below reach / kNear has lost 12 digits of 53 to the rounding of vertices: it is
 /// computed anew with about twice the digits, and its face is checked (is_certainly_farthest).

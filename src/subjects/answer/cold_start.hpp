@@ -3,7 +3,7 @@
 
 namespace gjkscope {
 
-/// What the run of a frame's position costs when it starts as the lesson's first run does, and not
+/// The cost of the run of a frame's position when it starts as the lesson's first run does, and not
 /// from the final simplex of the run before: a second run, traced like the first.
 struct ColdStart {
   static constexpr std::string_view kName = "cold-start";

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 
 namespace {
 
-/// Where P lies on Z.
+/// Tells where P lies on Z.
 std::string place_of_p(const Story& story) {
   const WideSimplex& simplex = story.trace.result.simplex;
   const SimplexWords words(story.run, simplex);

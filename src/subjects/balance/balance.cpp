@@ -30,7 +30,7 @@ double lowest(double arm, double radius) {
   return std::max(0.0, std::asin(way / reach) - std::atan2(kAxleHeight, std::abs(arm)));
 }
 
-/// What pulls on a beam.
+/// The forces on a beam.
 struct Swing {
   std::array<double, 2> masses;
   double balance_point;

@@ -8,10 +8,10 @@
 
 namespace gjkscope {
 
-/// Where a beam is at one moment. Lengths are fractions of the beam's, from its end A.
+/// The place of a beam at one moment. Lengths are fractions of the beam's, from its end A.
 struct Beam {
   double seconds = 0.0;
-  double support = 0.5;    ///< Where the axle is, along the beam.
+  double support = 0.5;    ///< The place of the axle, along the beam.
   double angle = 0.0;      ///< Radians; positive lifts B.
   double rate = 0.0;       ///< Radians a second.
   bool on_ground = false;  ///< The ground keeps an end from going lower.
@@ -19,7 +19,7 @@ struct Beam {
 
 /// Part of a step that a beam is shown at several moments of: an index into those of its position.
 [[nodiscard]] std::optional<int> beam_moment(const LessonRun& run, const Frame& frame);
-/// Of a frame with such a part.
+/// The time of a frame with such a part.
 [[nodiscard]] double seconds_of(const LessonRun& run, const Frame& frame);
 
 /// How far the beam is drawn below its segment, as a fraction of the segment's length.

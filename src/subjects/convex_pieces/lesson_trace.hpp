@@ -49,7 +49,7 @@ template <class Corners>
   return name;
 }
 
-/// Of a run of an act that shows it.
+/// Only for traces of runs of an act that shows this algorithm.
 [[nodiscard]] inline const PiecesTrace& pieces_told(const AlgorithmTrace& trace) {
   return static_cast<const PiecesTrace&>(trace);
 }

@@ -1,10 +1,10 @@
 #pragma once
-// What is proved of the depth: bounds that include what rounding can do.
+// Proved bounds of the depth, which include what rounding can do.
 //
 // From below: the polygon's corners are points of Z, up to rounding, so all that it goes around
 // lies in Z, whether or not rounding has left it convex: no point of the boundary of Z is nearer to
 // O than its nearest edge. From above: by how far Z reaches along one direction X can leave Y.
-// Where this proves too little the same loop runs in exact arithmetic, from GJK's simplex.
+// If this proves too little the same loop runs in exact arithmetic, from GJK's simplex.
 // tests/depth holds all of it against exact answers.
 
 #include "gjk/proof/careful.hpp"

@@ -10,7 +10,7 @@
 
 namespace depth {
 
-/// What is proved of the depth at some step, in the run's unit. `upper` is no length before the
+/// Proved bounds of the depth at some step, in the run's unit. `upper` is no length before the
 /// first support point.
 template <class R>
 struct Bounds {

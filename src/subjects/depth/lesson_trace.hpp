@@ -20,7 +20,7 @@ GJKSCOPE_DEPTH_INSTANCE(extern, gjkscope::Rational)
 
 namespace gjkscope {
 
-/// What the expanding polygon did with the end of a run; of `gjk` nothing is filled in.
+/// The trace of the expanding polygon after the end of a run; its `gjk` is not filled in.
 using DepthTrace = depth::Trace<double>;
 
 extern const Algorithm kDepthAlgorithm;

@@ -23,11 +23,11 @@ struct Result {
   Real depth = gjk::ScalarTraits<R>::no_length();
   Real lower = gjk::ScalarTraits<R>::no_length();
   Real upper = gjk::ScalarTraits<R>::no_length();
-  Vec<Real, 2> direction = Vec<Real, 2>::Zero();  ///< Of t, of length 1; also where t = 0.
+  Vec<Real, 2> direction = Vec<Real, 2>::Zero();  ///< Direction of t; of length 1 even if t = 0.
   Vec<R, 2> translation = Vec<R, 2>::Zero();      ///< t = depth * direction; exact for exact R.
   Vec<R, 2> x = Vec<R, 2>::Zero();  ///< Contact point on X before the motion, world coordinates,
   Vec<R, 2> y = Vec<R, 2>::Zero();  ///< and on Y: x + t = y.
-  int iterations = 0;               ///< Of the polygon; GJK's come before.
+  int iterations = 0;               ///< Iterations of the polygon; GJK's come before.
   /// The edge of Z (or a corner that touches O) nearest to O, in the run's unit; its weights made
   /// the contact points.
   gjk::Simplex<R, 2> edge;

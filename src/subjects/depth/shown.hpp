@@ -19,7 +19,7 @@ struct Shown {
 
   const DepthTrace& trace;
   const depth::Step<double>* step = nullptr;  ///< The last that is over; none at the start.
-  const depth::State<double>& state;          ///< What it left.
+  const depth::State<double>& state;          ///< The state after that step.
   bool is_answer = false;                     ///< The frame after the last step.
 
   [[nodiscard]] bool is(depth::Phase phase) const {

@@ -1,6 +1,6 @@
 #pragma once
-// What is known between two phases of a run, and what one phase noted while it ran: plain values,
-// as in gjk/state.hpp.
+// The state between two phases of a run, and the notes of one phase while it ran: plain values, as
+// in gjk/state.hpp.
 
 #include <algorithm>
 #include <vector>
@@ -47,7 +47,7 @@ template <class R>
 struct Edge {
   int from = 0;
   int to = 0;
-  R distance_sq = R(0);  ///< Of O from the segment.
+  R distance_sq = R(0);  ///< The squared distance of O from the segment.
 };
 
 /// Points of Z, counter-clockwise around O. A point is a polygon, too, with an edge from itself to
@@ -55,7 +55,7 @@ struct Edge {
 template <class R>
 struct Polygon {
   std::vector<Corner<R>> corners;
-  int count = 0;  ///< Of corners that are not outgrown.
+  int count = 0;  ///< Corners that are not outgrown.
   int first = 0;  ///< One of them: the latest.
   /// A heap, the nearest edge in front. Edges that are gone stay until they come to the front.
   std::vector<Edge<R>> edges;
@@ -106,7 +106,7 @@ struct StopTest {
   R right = R(0);
 };
 
-/// What one phase noted; the members of the other phases stay empty.
+/// Notes of one phase; the members of the other phases stay empty.
 template <class R>
 struct Record {
   static constexpr bool kOn = true;

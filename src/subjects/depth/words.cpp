@@ -46,7 +46,7 @@ class Telling {
   [[nodiscard]] const std::string& y() const { return run_.lesson.y().name; }
   [[nodiscard]] std::string number(double value) const { return story_.numbers(value); }
   [[nodiscard]] std::string edge() const { return edge_name(run_, state_, state_.edge); }
-  /// What rounding makes of a length of 0.
+  /// True for a length that is 0 but for rounding.
   [[nodiscard]] bool is_zero(double length) const {
     double size = 0.0;
     for (const auto& corner : state_.polygon.corners) size = std::max(size, corner.point.w.norm());

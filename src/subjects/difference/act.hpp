@@ -12,7 +12,7 @@ namespace gjkscope {
 enum class BuildPart { start, pair, copy, mirror, slide, hull, edges, any, shortest };
 struct BuildFrame {
   BuildPart part = BuildPart::start;
-  int made = 0;  ///< So many differences, those of the first vertex of X before those of the next.
+  int made = 0;  ///< Differences made: those of the first vertex of X come first.
 };
 [[nodiscard]] std::optional<BuildFrame> build_frame(const LessonRun& run, const Frame& frame);
 

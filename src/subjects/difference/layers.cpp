@@ -291,7 +291,7 @@ namespace {
 
 void corner_names(SceneBuilder& scene) {
   const Lesson& lesson = scene.run.lesson;
-  // Where shapes turn, corners come and go; those of the simplex are named in any case.
+  // Corners come and go when shapes turn; those of the simplex are named in any case.
   const bool turns = lesson.path_of_shapes && (!lesson.path_of_shapes->x().turns.empty() ||
                                                !lesson.path_of_shapes->y().turns.empty());
   const auto build = build_frame(scene.run, scene.frame);

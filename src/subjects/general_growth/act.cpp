@@ -33,7 +33,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
 
 constexpr std::array kAsks = {kAskVisits, kAskAgrees};
 
-/// What was not exploited in 1998 is no claim that counts could bear out.
+/// The claim about coherence (not exploited in 1998) is never asked about: no count bears it out.
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);

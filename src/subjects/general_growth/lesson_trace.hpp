@@ -1,6 +1,6 @@
 #pragma once
-// What methods for general models cost, as steps: one for each size of [growth], one for the times
-// where the lesson has some, then one for each thing that Larsen says of them.
+// The cost of methods for general models, as steps: one for each size of [growth], one for the
+// times if the lesson has some, then one for each thing that Larsen says of them.
 
 #include "lesson/algorithm.hpp"
 #include "lesson/lesson.hpp"
@@ -37,7 +37,7 @@ class GeneralGrowthTrace final : public AlgorithmTrace {
   std::optional<GrowthTimes> times;
 };
 
-/// Of a run of an act that shows it.
+/// Only for traces of runs of an act that shows this algorithm.
 [[nodiscard]] inline const GeneralGrowthTrace& general_growth_told(const AlgorithmTrace& trace) {
   return static_cast<const GeneralGrowthTrace&>(trace);
 }

@@ -1,7 +1,7 @@
 #pragma once
-// What methods for general models cost as outlines grow: pairs visited, on random outlines that are
-// not convex and lie apart. Nothing is timed, so counts are the same on every machine; the outlines
-// come of sums, products, quotients and square roots alone.
+// The cost of methods for general models as outlines grow: pairs visited, on random outlines that
+// are not convex and lie apart. Nothing is timed, so counts are the same on every machine; the
+// outlines come of sums, products, quotients and square roots alone.
 
 #include <algorithm>
 #include <random>
@@ -31,7 +31,7 @@ struct Sample {
 
 /// Cutting takes O(n^2): larger outlines are not cut.
 inline constexpr int kMostCut = 300;
-/// Of one size, in all runs together: larger outlines have fewer runs.
+/// The segments of one size, in all runs together: larger outlines have fewer runs.
 inline constexpr int kMostSegments = 300000;
 /// How far Y moves from one position to the next, as a share of its radius.
 inline constexpr double kStep = 0.02;

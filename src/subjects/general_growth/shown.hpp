@@ -13,7 +13,7 @@ inline constexpr AskInfo kAskVisits{
 inline constexpr AskInfo kAskAgrees{
     "agrees", "whether what Larsen says agrees with what was measured", "about claim"};
 
-/// What a frame is about: a size, the times of all sizes, or something that Larsen says.
+/// The subject of a frame: a size, the times of all sizes, or something that Larsen says.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : told(general_growth_told(run.algorithm_trace(frame))), over(frame.step + 1) {}
@@ -30,7 +30,7 @@ struct Shown {
     return static_cast<std::size_t>(std::clamp(over - 1, 0, sizes() - 1));
   }
   [[nodiscard]] const general_growth::Sample& sample() const { return told.samples[size()]; }
-  /// Of a claim, counted from 1.
+  /// The number of the claim, from 1.
   [[nodiscard]] int claim_number() const { return over - (told.steps() - kClaims); }
   [[nodiscard]] Claim claim() const { return static_cast<Claim>(claim_number() - 1); }
   /// The plot is of times: where they are what the frame is about.

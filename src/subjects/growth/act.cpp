@@ -62,7 +62,7 @@ void growth_words(const Story& story, FrameText& text) {
                                             : captions::step(story, text);
 }
 
-/// Of a size of polygons: what its runs come to. The lesson's own pair is no part of that.
+/// The averages of a size's runs. The lesson's own pair is no part of them.
 void growth_values(const Story& story, FrameText& text) {
   if (!shown_size(story.run, story.frame)) return captions::run_values(story, text);
   const auto put = [&](std::string name, std::string value) {

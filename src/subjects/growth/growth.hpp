@@ -9,7 +9,7 @@ namespace gjkscope {
 /// LessonGrowth::vertices; as many as there are: all sizes.
 [[nodiscard]] std::optional<int> shown_size(const LessonRun& run, const Frame& frame);
 
-/// What GJK costs as polygons grow: traced runs on pairs of random convex polygons that lie apart,
+/// The cost of GJK as polygons grow: traced runs on pairs of random convex polygons that lie apart,
 /// with each number of vertices in the lesson's [growth]. They decide as the lesson's query says,
 /// and start from the first vertices, or centre to centre where the lesson does. The same on every
 /// machine: nothing is timed, and the polygons come of sums, products and quotients alone. No
@@ -17,8 +17,8 @@ namespace gjkscope {
 struct Growth {
   static constexpr std::string_view kName = "growth";
   static constexpr std::string_view kNeeds = "";
-  /// What Larsen reports of iterations, "on average for any problem size" (1998, slide "GJK -
-  /// Running Time").
+  /// Larsen's report of iterations, "on average for any problem size" (1998, slide "GJK - Running
+  /// Time").
   static constexpr int kLarsenLeast = 3;
   static constexpr int kLarsenMost = 6;
   /// The first run of a size, as it stands in the difference Y - X.
@@ -30,14 +30,14 @@ struct Growth {
   };
   /// Polygons of one size. What is counted is an average over the runs.
   struct Sample {
-    int vertices = 0;  ///< Of each of the two polygons.
+    int vertices = 0;  ///< The vertices of each of the two polygons.
     int runs = 0;
     double iterations = 0.0;
-    int most_iterations = 0;        ///< Of any run.
+    int most_iterations = 0;        ///< The most of any run.
     double within_tolerance = 0.0;  ///< Iterations until the bounds were that close.
     double support_calls = 0.0;
-    double touched_points = 0.0;    ///< Of the vertices * vertices points y - x: those computed.
-    double seen_vertices = 0.0;     ///< That the support calls looked at: dot products.
+    double touched_points = 0.0;    ///< Computed ones of the vertices * vertices points y - x.
+    double seen_vertices = 0.0;     ///< Dot products: vertices that the support calls looked at.
     double scanned_vertices = 0.0;  ///< The same for plain scans, which look at all vertices.
     Example example;
     bool is_climbed = false;  ///< Large polygons are climbed, small ones are scanned.

@@ -39,9 +39,9 @@ inline constexpr std::array<std::pair<std::string_view, std::vector<double> Grow
 /// Runs to be measured: pairs of random convex polygons, `runs` of them with each number of
 /// vertices.
 struct LessonGrowth {
-  std::vector<int> vertices;  ///< Of each of the two polygons, ascending.
+  std::vector<int> vertices;  ///< The vertices of each of the two polygons, ascending.
   int runs = 100;
-  int seed = 1;              ///< Of the random polygons.
+  int seed = 1;              ///< The seed of the random polygons.
   double tolerance = 0.001;  ///< Counted besides the whole run: the iterations until
                              ///< lower >= (1 - tolerance) * upper.
   std::optional<GrowthTimes> times = {};

@@ -41,7 +41,7 @@ std::vector<NodeState> Shown::node_states(bool of_x) const {
     if (mark != NodeState::visited) mark = each.record.cut ? NodeState::cut : NodeState::visited;
   }
   for (const models::NodePair& pair : state.waiting) state_of(pair) = NodeState::waiting;
-  // What is visited now has children to come until it is cut or measured.
+  // The pair that is visited has children to come until it is cut or measured.
   const bool is_open =
       has_pair() && (is(SearchPhase::visit) || is(SearchPhase::bound)) && !is_cut();
   if (is_open) state_of(state.pair) = NodeState::waiting;

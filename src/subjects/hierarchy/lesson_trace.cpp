@@ -28,7 +28,7 @@ constexpr std::array<PlaceholderInfo, 4> kValues = {
      {"looked up", "pairs of tiles whose segments were in the table by now"},
      {"pairs", "pairs of segments that there are"}}};
 
-/// Of a segment: finer tiles would make trees that nobody can look at.
+/// The tiles of a segment: finer tiles would make trees that nobody can look at.
 constexpr int kMostTiles = 64;
 
 class Told : public OutlineTrace {
@@ -95,7 +95,7 @@ class Told : public OutlineTrace {
   }
 
  private:
-  /// Where only collision is asked, no pair is a candidate.
+  /// True when the step found a new candidate; there is none if only collision is asked.
   [[nodiscard]] bool is_candidate(const models::SearchStep& step) const {
     return search_.options.goal == Goal::distance && step.record.better;
   }

@@ -16,7 +16,7 @@ namespace gjkscope {
 using Volume = std::variant<models::Box, models::Circle>;
 using TreeNode = models::Node<Volume>;
 
-/// What a search did with the shapes of one run. A is X, B is Y.
+/// The trace of a search with the shapes of one run. A is X, B is Y.
 struct SearchTold {
   models::Model x;
   models::Model y;
@@ -24,7 +24,7 @@ struct SearchTold {
   std::vector<TreeNode> tree_y;
   models::SearchOptions options;
   models::SearchTrace trace;       ///< Without steps where shapes are refused.
-  models::SearchTrace left_first;  ///< Of a distance: the same search, the left child always first.
+  models::SearchTrace left_first;  ///< For a distance: the same search, the left child first.
   std::optional<Refusal> refusal;
 
   [[nodiscard]] const models::Model& model(bool of_x) const { return of_x ? x : y; }

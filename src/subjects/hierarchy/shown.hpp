@@ -18,7 +18,7 @@ inline constexpr AskInfo kAskWin{"win", "whether a pair of volumes is too far ap
 /// Searches with more visits are summed up: frames show their milestones alone.
 inline constexpr long kMostVisits = 40;
 
-/// What a frame says of a node.
+/// The state of a node in a frame.
 enum class NodeState : std::uint8_t {
   ahead,    ///< Not reached yet: an ancestor waits or is visited.
   waiting,  ///< Waits in a pair.
@@ -35,7 +35,7 @@ struct Shown {
   const SearchTold& search;
   int over = 0;                              ///< Steps that are over.
   const models::SearchStep* step = nullptr;  ///< The last of them; none at the start.
-  const models::SearchState& state;          ///< What it left.
+  const models::SearchState& state;          ///< The state after that step.
   bool is_answer = false;                    ///< The frame after the last step.
 
   [[nodiscard]] bool is_refused() const { return search.trace.steps.empty(); }
@@ -67,7 +67,7 @@ struct Shown {
   [[nodiscard]] std::string_view volume() const;
   /// "boxes", "circles"
   [[nodiscard]] std::string_view volumes() const;
-  /// Of each node of a tree.
+  /// The states of all nodes of a tree.
   [[nodiscard]] std::vector<NodeState> node_states(bool of_x) const;
 };
 
@@ -98,22 +98,22 @@ inline constexpr int kMostDepth = 5;
 /// A view of both trees.
 bool trees(SceneBuilder& scene, const Fonts& fonts);
 std::string trees_title(const LessonRun& run);
-/// Of a tree that is too deep to be drawn node by node: segments in one of its lowest marks, at
-/// most; 0 where both are drawn as they are.
+/// For trees that are too deep to be drawn node by node: the most segments in one of the lowest
+/// marks; 0 when both trees are drawn as they are.
 [[nodiscard]] int most_in_heap(const Shown& shown);
 /// How a node looks; `radius` is that of a disk.
 [[nodiscard]] Mark node_mark(NodeState state, const Point& at, double radius);
 /// The node that is visited.
 [[nodiscard]] Mark current_mark(const Point& at, bool is_cut = false);
 inline constexpr double kNodeRadius = 6.0;  ///< The largest.
-/// What a mark means, and a mark like it in a given place.
+/// An entry of the key: the meaning of a mark, and a mark like it in a given place.
 struct KeyEntry {
   Mark (*mark)(const Point& at) = nullptr;
   std::string_view text;
 };
-/// Of a view, at the foot of its card, in rows of three; two rows at most.
+/// Draws the key at the foot of a view's card, in rows of three; two rows at most.
 void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entries);
-/// Where trees stand: two of them, one above the other, between a view's title and its key.
+/// The places of the two trees, one above the other, between a view's title and its key.
 [[nodiscard]] std::array<Rect, 2> tree_areas(const Rect& card);
 
 // words.cpp

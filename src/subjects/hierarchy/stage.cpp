@@ -48,7 +48,7 @@ std::pair<Vector2d, Vector2d> gap_of(const Volume& a, const Volume& b) {
   }
   const Box& p = std::get<Box>(a);
   const Box& q = std::get<Box>(b);
-  // Where they overlap along an axis, in the middle of what they share.
+  // Along an axis on which the boxes overlap, the ends are in the middle of the part they share.
   const Vector2d low = p.low.cwiseMax(q.low);
   const Vector2d high = p.high.cwiseMin(q.high);
   const Vector2d middle = 0.5 * (low + high);
@@ -87,7 +87,7 @@ class Stage {
                 : Subject{Subject::Kind::tree_node, -1, node};
   }
 
-  /// What is nearer to `a` than the candidate's segments to each other.
+  /// The points that are nearer to `a` than the candidate's segments to each other.
   [[nodiscard]] std::vector<Mark> band() const {
     const double delta = shown_.state.candidate->high;
     return {{"volume.band", Polygon{mapped(outline_of(shown_.node(true).volume, delta))}}};

@@ -77,14 +77,14 @@ class TreePicture {
   [[nodiscard]] bool is_current(std::size_t i) const {
     return shown_.has_pair() && shown_.node_index(of_x_) == static_cast<int>(i);
   }
-  /// What is visited lies below a node that stands for it, too.
+  /// True when the node stands for the visited one, which lies below it.
   [[nodiscard]] bool is_current_below(std::size_t i) const {
     if (!is_heap(i) || !shown_.has_pair()) return false;
     const auto current = static_cast<std::size_t>(shown_.node_index(of_x_));
     return i < current && tree_[i].first <= tree_[current].first &&
            tree_[current].first + tree_[current].count <= tree_[i].first + tree_[i].count;
   }
-  /// Of what a mark stands for, the liveliest.
+  /// The liveliest state of the nodes that a mark stands for.
   [[nodiscard]] NodeState state(std::size_t i) const {
     if (!is_heap(i)) return states_[i];
     bool waits = false;

@@ -14,7 +14,7 @@ using namespace rows;
 struct Issue {
   std::string_view topic;  ///< As the slides order them.
   std::string_view where;
-  std::string_view lessons;  ///< That show it from near by.
+  std::string_view lessons;  ///< Lessons that show it from near by.
 };
 
 /// In the order of NumericalIssue::Kind.
@@ -29,7 +29,7 @@ constexpr std::array<Issue, 8> kIssues = {{
     {"Poorly formed polygons", "beyond a line of vertices", "collinear"},
 }};
 
-/// What GJK did there, in a few words.
+/// The behaviour of GJK there, in a few words.
 std::string outcome(PanelBuilder& panel, const NumericalIssue::Value& issue, const Frame& frame) {
   if (issue.kind == NumericalIssue::Kind::direction) return "d ← cross";
   if (issue.kind == NumericalIssue::Kind::notch) return "hull only";

@@ -5,7 +5,7 @@
 namespace gjkscope::layers {
 namespace {
 
-/// Where Q was before, numbered as in the panel.
+/// Earlier places of Q, numbered as in the panel.
 void earlier_places(SceneBuilder& scene) {
   for (int i = 0; i < scene.frame.run; ++i) {
     const Point q = scene.at(scene.run.runs[static_cast<std::size_t>(i)].x().world[0]);

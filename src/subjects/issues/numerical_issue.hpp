@@ -5,8 +5,8 @@
 
 namespace gjkscope {
 
-/// What makes a point query need care, by where Q lies (Catto 2010, slides "Numerical Issues" to
-/// "Collinear vertices").
+/// The reason why a point query needs care, by where Q lies (Catto 2010, slides "Numerical Issues"
+/// to "Collinear vertices").
 struct NumericalIssue {
   static constexpr std::string_view kName = "numerical-issue";
   static constexpr std::string_view kNeeds = "shape-hull,direction-rules";
@@ -22,7 +22,7 @@ struct NumericalIssue {
   };
   struct Value {
     Kind kind = Kind::contained;
-    double dot_with_edge = 0.0;  ///< Of d = Q - P, as built for the last scan.
+    double dot_with_edge = 0.0;  ///< The dot product of d = Q - P, as built for the last scan.
     std::vector<int> support;    ///< Vertices of Y that are farthest along the last d.
   };
   static EffectKey key(const LessonRun& run, const Frame& frame);

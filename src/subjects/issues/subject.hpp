@@ -27,9 +27,9 @@ void issue(SceneBuilder& scene);
 
 namespace captions {
 
-/// What could go wrong where Q stands.
+/// Says what could go wrong at the place of Q.
 void issue(const Story& story, FrameText& text);
-/// What GJK does about it.
+/// Says what GJK does about it.
 void issue_solved(const Story& story, FrameText& text);
 void issue_question(const Story& story, FrameText& text);
 

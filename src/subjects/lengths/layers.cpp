@@ -160,7 +160,7 @@ void half_plane(SceneBuilder& scene, const Point& at, const Point& towards) {
   ticks(scene, "condition.hatch", at - reach, at + reach, towards);
 }
 
-/// Where each condition of the tested region is met.
+/// Draws the half-plane on which each condition of the tested region is met.
 void conditions(SceneBuilder& scene, const TestedFeet::Value& feet) {
   const gjk::Face region = scene.knows.region_tests[scene.knows.tests_reached].region;
   const bool of_vertex = gjk::vertex_count(region) == 1;

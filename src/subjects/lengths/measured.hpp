@@ -6,7 +6,7 @@
 
 namespace gjkscope {
 
-/// What a scan for a support point compares, as lengths: how far each vertex of Y reaches along d,
+/// The lengths that a scan for a support point compares: how far each vertex of Y reaches along d,
 /// and each of X along -d (Catto 2010, slides "Support points"). Nothing before the scan.
 struct SupportAxis {
   static constexpr std::string_view kName = "support-axis";
@@ -16,7 +16,7 @@ struct SupportAxis {
     int farthest = 0;           ///< Index of the support point.
   };
   struct Sides {
-    Eigen::Vector3d d = Eigen::Vector3d::Zero();  ///< Of length 1; for X it is -d.
+    Eigen::Vector3d d = Eigen::Vector3d::Zero();  ///< The direction, of length 1; for X it is -d.
     Side y;
     Side x;
   };
@@ -36,9 +36,10 @@ struct ClosestCircle {
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
 
-/// What the region test of a frame compares: for each coordinate on an edge the foot of the query
-/// point on the edge's line, and the length from the edge's other end that the coordinate measures
-/// (Catto 2010, slides "Projection", "Voronoi regions"). Of frames that go through region tests.
+/// The lengths that the region test of a frame compares: for each coordinate on an edge the foot of
+/// the query point on the edge's line, and the length from the edge's other end that the coordinate
+/// measures (Catto 2010, slides "Projection", "Voronoi regions"). For frames that go through region
+/// tests.
 struct TestedFeet {
   static constexpr std::string_view kName = "tested-feet";
   static constexpr std::string_view kNeeds = "facts";

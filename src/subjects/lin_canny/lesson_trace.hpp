@@ -10,11 +10,11 @@
 
 namespace gjkscope {
 
-/// What the walk did with the polygons of one run.
+/// The trace of the walk with the polygons of one run.
 struct WalkTold {
   std::optional<models::WalkQuery> query;  ///< A is X, B is Y; none where they are refused.
   models::WalkTrace trace;
-  std::optional<models::Answer> truth;  ///< Of a walk that is stuck in a local minimum.
+  std::optional<models::Answer> truth;  ///< For a walk that is stuck in a local minimum.
 };
 
 extern const Algorithm kLinCannyAlgorithm;

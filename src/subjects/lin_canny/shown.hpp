@@ -29,7 +29,7 @@ struct Shown {
   const Lesson& lesson;
   const WalkTold& walk;
   const models::WalkStep* step = nullptr;  ///< The last that is over; none at the start.
-  const models::WalkState& state;          ///< What it left.
+  const models::WalkState& state;          ///< The state after that step.
   bool is_answer = false;                  ///< The frame after the last step.
 
   [[nodiscard]] bool is(models::WalkPhase phase) const {
@@ -53,7 +53,7 @@ struct Shown {
     return feature_name(lesson, *walk.query, of_x, feature);
   }
   [[nodiscard]] std::string name(bool of_x) const { return name(of_x, feature(of_x)); }
-  /// Of the feature of X or Y, in the order in which the walk looks at them.
+  /// The borders of the feature of X or Y, in the order in which the walk looks at them.
   [[nodiscard]] std::vector<Border> borders(bool of_x) const;
 };
 

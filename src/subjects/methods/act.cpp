@@ -18,7 +18,7 @@ const MethodsTold& told(const LessonRun& run, const Frame& frame) {
 /// The frame after all positions, which sums up.
 bool is_sum(const Frame& frame) { return frame.step > 0; }
 
-/// Of all positions up to that of the frame.
+/// The sum over all positions up to that of the frame.
 long total(const LessonRun& run, const Frame& frame, Method method) {
   long sum = 0;
   for (int i = 0; i <= frame.run; ++i) sum += methods_told(run, i)->at(method);
@@ -155,7 +155,7 @@ void stage(SceneBuilder& scene) {
   scene.length_label("distance", at.answer.distance, x, y);
 }
 
-/// What each method counts, position by position.
+/// Plots the counts of each method, position by position.
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
   if (told(scene.run, scene.frame).is_refused()) return true;

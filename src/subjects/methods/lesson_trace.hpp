@@ -26,17 +26,17 @@ inline constexpr std::array<Method, 6> kMethods = {Method::gjk_cold,  Method::gj
                                                    Method::tree_pair, Method::tree_front};
 /// "GJK, last simplex"
 [[nodiscard]] std::string_view name_of(Method method);
-/// What it is counted in: "iterations"
+/// The unit that it is counted in: "iterations"
 [[nodiscard]] std::string_view unit_of(Method method);
 
-/// What all of them did at one position.
+/// Results of all methods at one position.
 struct MethodsTold {
   std::array<long, kMethods.size()> steps = {};  ///< In the unit of each method.
   std::array<double, kMethods.size()> distances = {};
-  models::Answer answer;  ///< That of the tree.
+  models::Answer answer;  ///< The answer of the tree.
   std::optional<Refusal> refusal;
 
-  // What the next position starts from.
+  // Starts for the next position.
   gjk::WarmStart simplex;
   models::RingFeature on_x;
   models::RingFeature on_y;
@@ -51,7 +51,7 @@ struct MethodsTold {
 
 extern const Algorithm kMethodsAlgorithm;
 
-/// Of run `index`; nullptr where the lesson shows another algorithm.
+/// The results in run `index`; nullptr when the lesson shows another algorithm.
 [[nodiscard]] const MethodsTold* methods_told(const LessonRun& run, int index);
 
 }  // namespace gjkscope

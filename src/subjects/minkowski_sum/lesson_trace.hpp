@@ -32,7 +32,7 @@ class SumTrace final : public OutlineTrace {
                                     const minkowski_sum::Corner& from,
                                     minkowski_sum::Source source);
 
-/// Of a run of an act that shows it.
+/// Only for traces of runs of an act that shows this algorithm.
 [[nodiscard]] inline const SumTrace& sum_told(const AlgorithmTrace& trace) {
   return static_cast<const SumTrace&>(trace);
 }

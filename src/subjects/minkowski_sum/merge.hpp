@@ -38,7 +38,7 @@ struct State {
 
 struct Step {
   Phase phase = Phase::lowest;
-  Source source = Source::both;  ///< Of an edge: whose it is.
+  Source source = Source::both;  ///< The shape that an edge comes from.
   State before;
   State after;
 };
@@ -51,7 +51,7 @@ struct Merge {
   std::vector<Corner> corners;  ///< Counter-clockwise; each edge leads to the next.
   std::vector<Source> edges;    ///< As many.
   OriginSide origin = OriginSide::outside;
-  int separating = -1;  ///< Where O is outside: an edge that has it on its outer side.
+  int separating = -1;  ///< When O is outside: an edge that has it on its outer side.
 
   [[nodiscard]] Point at(const Corner& corner) const {
     return y.points[corner.y] - x.points[corner.x];
@@ -92,7 +92,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// Of two rings that are convex.
+/// Needs two convex rings.
 [[nodiscard]] inline Merge merge(Ring x, Ring y) {
   Merge out{std::move(x), std::move(y), {}, {}, {}};
   State state{{detail::extreme(out.y, true), detail::extreme(out.x, false)}};

@@ -25,7 +25,7 @@ struct LastPosition {
 };
 
 /// Y grown by X: where the point that X's vertices are given from cannot be without X touching Y.
-/// That is Y - X with X at its own origin, so the difference moved by where X stands (Larsen 1998,
+/// It equals Y - X with X at its own origin: the difference, moved by the place of X (Larsen 1998,
 /// "Minkowski Difference and Translation"). Corners in the world, counter-clockwise.
 struct GrownObstacle {
   static constexpr std::string_view kName = "grown-obstacle";

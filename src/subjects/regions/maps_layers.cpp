@@ -17,7 +17,7 @@ using namespace sizes;
 
 constexpr std::array<std::string_view, 3> kCoordinates = {"u", "v", "w"};
 
-/// What the view shows of an intersection of half-planes; empty when nothing.
+/// The part of an intersection of half-planes that is in view; empty when there is none.
 std::vector<Point> visible_part(const SceneBuilder& scene,
                                 const std::vector<HalfPlane>& half_planes) {
   std::vector<Vector2d> polygon = scene.map.visible();
@@ -61,7 +61,7 @@ std::optional<int> coordinate_of(const SceneBuilder& scene) {
   return std::nullopt;
 }
 
-/// Where a coordinate is 0: its edge, prolonged.
+/// Draws the line on which a coordinate is 0: its edge, prolonged.
 void zero_line(SceneBuilder& scene, int vertex) {
   const Point a = scene.vertex_at((vertex + 1) % 3);
   const Point b = scene.vertex_at((vertex + 2) % 3);

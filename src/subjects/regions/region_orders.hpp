@@ -20,7 +20,7 @@ struct RegionOrders {
     bool whole = false;
     std::vector<gjk::RegionTest<double>> tests;   ///< Those tried; the last one holds.
     gjk::Face region = 0;                         ///< The region taken.
-    std::array<double, 3> weights = {};           ///< Of the point taken; negative beyond an edge.
+    std::array<double, 3> weights = {};           ///< Those of the point; negative beyond an edge.
     Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< The point taken, in the difference.
     double error = 0.0;                           ///< Its distance from the run's P.
   };

@@ -21,8 +21,8 @@ struct SignMap {
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
 
-/// Where the signs name one feature and the Voronoi regions another (Catto 2010, slide "Voronoi
-/// versus Barycentric"). Convex, possibly unbounded or empty parts.
+/// The area in which the signs name one feature and the Voronoi regions another (Catto 2010, slide
+/// "Voronoi versus Barycentric"). Convex, possibly unbounded or empty parts.
 struct MapDifference {
   static constexpr std::string_view kName = "map-difference";
   static constexpr std::string_view kNeeds = "sign-map,voronoi-regions";

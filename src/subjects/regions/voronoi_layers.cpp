@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// What the region tests have said of a face so far; frames may reveal them one by one.
+/// The verdict of the region tests on a face so far; frames may reveal them one by one.
 enum class RegionFate { untried, rejected, testing, holds };
 RegionFate fate_of(const SceneBuilder& scene, gjk::Face face) {
   const auto& tests = scene.knows.region_tests;

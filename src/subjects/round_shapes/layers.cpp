@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// So many corners make a circle of this radius, in pixels, look round: they are off by a twentieth
-/// of a pixel.
+/// Enough corners to make a circle of this radius, in pixels, look round: they are off by a
+/// twentieth of a pixel.
 int corners_of_circle(double pixels) {
   constexpr double kOff = 0.05;
   constexpr double kFewest = 16.0;
@@ -27,7 +27,7 @@ std::vector<Vector2d> rounded(const std::vector<Vector2d>& vertices, double radi
   const std::vector<int> hull = convex_hull(vertices);
   const std::size_t count = hull.size();
   const auto corner = [&](std::size_t i) { return vertices[hull[i % count]]; };
-  /// Of the outward normal of the edge that leaves corner i.
+  /// The angle of the outward normal of the edge that leaves corner i.
   const auto angle = [&](std::size_t i) {
     const Vector2d edge = corner(i + 1) - corner(i);
     return count == 1 ? 0.0 : std::atan2(-edge.x(), edge.y());

@@ -8,7 +8,7 @@ namespace gjkscope {
 struct RoundShapes {
   static constexpr std::string_view kName = "round-shapes";
   static constexpr std::string_view kNeeds = "";
-  /// Of round shapes that do not overlap, that touch, or that do.
+  /// Tells whether round shapes are apart, touch or overlap.
   enum class Meeting { apart, touching, overlapping };
   struct Value {
     double radii = 0.0;     ///< Both, added.

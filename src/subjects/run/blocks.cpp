@@ -185,7 +185,7 @@ void bounds(PanelBuilder& panel) {
     if (b - a < 4.0) a = std::max(panel.left, 0.5 * (a + b) - 2.0), b = a + 4.0;
     panel.add("bounds.bar", Box{{{a, panel.y - 8.0}, {b, panel.y}}, 4.0});
     panel.y += 18.0;
-    // Of all support lines so far, which need not be the one that is drawn.
+    // The best of all support lines so far need not be the one that is drawn.
     const std::string line = "best line";
     constexpr double kBetween = 6.0;
     const double p_at = std::min(b, panel.right - 12.0);

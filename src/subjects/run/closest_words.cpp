@@ -200,7 +200,7 @@ void features(const Story& story, FrameText& text) {
                      : fmt::format(" Next: region {}.", story.words.face(next));
 }
 
-/// What the sign of one coordinate says about where Q is.
+/// Tells what the sign of one coordinate says about the place of Q.
 std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
   if (gjk::vertex_count(term.face) == 3) {
     const std::string opposite =

@@ -231,7 +231,7 @@ const Layer kOtherNormal{.effect = OtherNormal::kName,
 
 namespace {
 
-/// Which vertices lie farthest along d and −d is asked of the shapes: there the arrows stand.
+/// Arrows along d and −d on the shapes, for the question which vertices lie farthest along them.
 void asked_directions(SceneBuilder& scene) {
   const Frame& frame = scene.frame;
   if (frame.question < 0 || frame.answering_step < 0) return;

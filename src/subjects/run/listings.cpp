@@ -191,7 +191,7 @@ void region_chain(PanelBuilder& panel, const Lines& lines, bool has_takes) {
 // The loop
 // ---------------------------------------------------------------------------------------------------
 
-/// What a step left beside its line.
+/// The value that a step left beside its line.
 std::string value_of(const PanelBuilder& panel, const WideStep& step) {
   const WideState& after = step.after;
   switch (step.phase) {

@@ -5,8 +5,8 @@
 
 namespace gjkscope {
 
-/// Where the query point lies on the line of the simplex, a segment: the normal that the run did
-/// not take, and its support point (Catto 2010, slides "Case 3b: edge overlap", "Case 4: interior
+/// The normal that the run did not take, and its support point, when the query point lies on the
+/// line of the simplex, a segment (Catto 2010, slides "Case 3b: edge overlap", "Case 4: interior
 /// edge"). Nothing elsewhere, and before d is known.
 struct OtherNormal {
   static constexpr std::string_view kName = "other-normal";

@@ -10,7 +10,7 @@ bool is_chosen(const LessonRun& run, int index, int step) {
   const std::vector<gjk::Phase>& phases = run.lesson.phases;
   const auto& steps = run.runs[static_cast<std::size_t>(index)].trace.steps;
   const gjk::Phase phase = steps[static_cast<std::size_t>(step)].phase;
-  // Where nothing is dropped there is nothing to see.
+  // A drop phase that drops nothing has nothing to show.
   if (phase == gjk::Phase::drop && phases.empty() && step + 1 < static_cast<int>(steps.size()) &&
       steps[static_cast<std::size_t>(step)].record.dropped.empty())
     return false;

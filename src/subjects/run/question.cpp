@@ -164,7 +164,7 @@ class Asking {
   [[nodiscard]] Eigen::Vector2d q() const {
     return in_plane(run_.run(story_.frame).x().world.front());
   }
-  /// Of a point query.
+  /// For a point query.
   [[nodiscard]] Eigen::Vector2d world(const Eigen::Vector2d& difference) const {
     return difference + q();
   }
@@ -182,7 +182,7 @@ class Asking {
                                : std::optional(Spot{ViewKind::world, ends.front(), ends.back()}));
   }
 
-  /// Where what is asked for happens, if not in the step that tells it.
+  /// The step after the one that answers: what is asked for may happen there.
   [[nodiscard]] const WideStep& next_step() const {
     return story_.trace.steps[static_cast<std::size_t>(story_.frame.answering_step) + 1];
   }

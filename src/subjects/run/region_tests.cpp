@@ -141,7 +141,7 @@ const Block kTests{.name = "tests",
 
 namespace {
 
-/// Where Q projects to on the line of an edge: on it, or beyond one of its ends.
+/// Tells where Q projects to on the line of an edge: on it, or beyond one of its ends.
 void ruler(PanelBuilder& panel, int from, int to) {
   const WideSimplex& simplex = panel.state.simplex;
   const auto face = static_cast<gjk::Face>(gjk::face_of(from) | gjk::face_of(to));

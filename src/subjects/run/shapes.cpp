@@ -24,7 +24,7 @@ constexpr double kNamesApart = 44.0;
 /// looked for in a time that grows with the square of their number.
 constexpr std::size_t kMostFilled = 256;
 
-/// Where GJK does not name them, names of more vertices than this would only be in the way, and
+/// Names of more vertices than this would only be in the way, but for those that GJK names, and
 /// disks of more vertices hide the line.
 constexpr std::size_t kMostLabels = 8;
 constexpr std::size_t kMostDisks = 64;
@@ -69,7 +69,7 @@ std::vector<bool> vertices_of_run(const SceneBuilder& scene, bool is_x, std::siz
   return met;
 }
 
-/// Which points of a shape stand in the view's card.
+/// Tells for each point of a shape whether it is in the view's card.
 std::vector<bool> in_sight(const SceneBuilder& scene, const std::vector<Point>& points) {
   const Rect& card = scene.map.area();
   std::vector<bool> out;

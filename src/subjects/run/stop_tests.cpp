@@ -31,7 +31,7 @@ std::string name_of_test(const PanelBuilder& panel, StopReason reason) {
   }
 }
 
-/// What a test compared.
+/// The values that a test compared.
 std::string compared(const PanelBuilder& panel, const gjk::StopTest<double>& test) {
   const auto number = [&](double value) { return value == 0.0 ? "0" : panel.numbers(value); };
   switch (test.reason) {

@@ -44,11 +44,11 @@ void test_mark(PanelBuilder& panel, TestMark mark);
 void test_row(PanelBuilder& panel, TestMark mark, bool current, const std::string& region,
               const std::string& condition, const std::string& values);
 
-/// What a line says of the frame's step.
+/// The look of a line in the frame's step.
 struct LineView {
   enum class State { idle, untried, current, past, rejected } state = State::idle;
-  std::optional<bool> verdict = {};  ///< Of a region test.
-  std::string value = {};            ///< What the line computed.
+  std::optional<bool> verdict = {};  ///< The verdict of a region test.
+  std::string value = {};            ///< The value that the line computed.
 };
 void write_line(PanelBuilder& panel, const std::string& text, const LineView& line);
 /// A line of a listing that is current or not; its value is written where it is.
@@ -101,7 +101,7 @@ void stage_step(SceneBuilder& scene);
 
 namespace captions {
 
-/// What a phase did, and why.
+/// Says what a phase did, and why.
 void step(const Story& story, FrameText& text);
 void start(const Story& story, FrameText& text);
 /// The values of a run's step.

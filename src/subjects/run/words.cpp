@@ -157,7 +157,7 @@ std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEnt
                      is_one ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
 }
 
-/// What a support point that is not in the simplex is to it.
+/// Says how a support point that is not in the simplex relates to it.
 std::string news(const Story& story, const std::string& name) {
   const auto& steps = story.trace.steps;
   const auto is_it = [&](const auto& vertex) { return vertex.pair == story.state.support.pair; };
@@ -209,7 +209,7 @@ double farther_than_p(const Story& story) {
   return state.d.dot(state.support.w - state.p) / state.d.norm();
 }
 
-/// What the best support line so far says of the distance, which P bounds from above.
+/// Bounds the distance from below by the best support line so far, and from above by P.
 std::string proved(const Story& story) {
   const BestSupport::Value& best = story.effects.get<BestSupport>(story.frame);
   const bool is_new = best && is_found_by(*best, story.state);

@@ -51,7 +51,7 @@ double length_at(const Answer& answer, int iteration, bool ended) {
   return length;
 }
 
-/// What a scalar's support point has to do with that of the exact run.
+/// Compares a scalar's support point with that of the exact run.
 std::string relation(const PanelBuilder& panel, const Answer& answer, const Answer& exact,
                      int iteration, bool ended) {
   if (ended) {

@@ -49,7 +49,7 @@ void second_run(SceneBuilder& scene) {
     name("d", 0.5 * (p + tip), 0.0, Point(-along.y(), along.x()));
   }
   scene.disk("second.closest", p, kPointRadius);
-  // Where both are the same point to the eye one label is enough.
+  // One label is enough when both are the same point to the eye.
   if ((p - scene.at_difference(scene.state.p)).norm() > 3.0 * kPointRadius)
     name("P", p, kPointRadius, p - scene.at_difference(scene.state.p));
 }

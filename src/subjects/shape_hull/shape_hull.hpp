@@ -16,7 +16,7 @@ struct ShapeHull {
     Hull x;
     Hull y;
     Eigen::Vector2d outline_point =
-        Eigen::Vector2d::Zero();    ///< Of Y, not its hull: closest to X's first vertex.
+        Eigen::Vector2d::Zero();    ///< On Y, not its hull: closest to X's first vertex.
     double outline_distance = 0.0;  ///< From X's first vertex to there; 0 inside of Y.
   };
   static EffectKey key(const LessonRun& run, const Frame& frame);

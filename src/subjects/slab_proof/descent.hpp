@@ -42,9 +42,9 @@ struct State {
 
 struct Step {
   Phase phase = Phase::slab;
-  std::vector<Reach> reaches;   ///< Of a slab: those that lie in it, the deepest first.
-  std::vector<Reach> farthest;  ///< Of a slab: of each shape, the vertex that reaches farthest.
-  Reach towards;                ///< Of `closer`: c.
+  std::vector<Reach> reaches;   ///< For a slab: those that lie in it, the deepest first.
+  std::vector<Reach> farthest;  ///< For a slab: each shape's vertex that reaches farthest.
+  Reach towards;                ///< For `closer`: c.
   State before;
   State after;
 };

@@ -18,7 +18,7 @@ class SlabTrace final : public OutlineTrace {
   [[nodiscard]] double answer(std::string_view name) const override;
   [[nodiscard]] std::string_view stop() const override;
 
-  slab_proof::Descent descent;  ///< Of shapes that overlap without steps.
+  slab_proof::Descent descent;  ///< Without steps when the shapes overlap.
 
  protected:
   [[nodiscard]] fields::Json step_json(const Lesson& lesson, int index) const override;
@@ -28,7 +28,7 @@ class SlabTrace final : public OutlineTrace {
 /// "vertex B of X"
 [[nodiscard]] std::string vertex_name(const Lesson& lesson, const slab_proof::Reach& reach);
 
-/// Of a run of an act that shows it.
+/// Only for traces of runs of an act that shows this algorithm.
 [[nodiscard]] inline const SlabTrace& slab_told(const AlgorithmTrace& trace) {
   return static_cast<const SlabTrace&>(trace);
 }

@@ -7,7 +7,7 @@
 
 namespace gjkscope {
 
-/// What a study shows. First X and Y themselves: from afar, then their gap enlarged, with the
+/// The stages of a study. First X and Y themselves: from afar, then their gap enlarged, with the
 /// answer of a run in float, and of one in double, and what an error is. Then a plot: its axis of
 /// errors with two marks, its axis of times, the other marks one by one. At last the front of these
 /// marks, that of all dots, and what to take.

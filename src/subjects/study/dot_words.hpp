@@ -1,5 +1,5 @@
 #pragma once
-// What the study of accuracy comes to, for captions and panels alike.
+// The outcome of the study of accuracy in words, for captions and panels alike.
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ namespace gjkscope {
 /// The dots of the lesson's first `count` marks.
 [[nodiscard]] std::vector<StudyDot> introduced(const LessonStudy& study, int count);
 
-/// What a way to run GJK does, in a few words: the lesson's about its marks.
+/// A few words about a way to run GJK: for a mark, those of the lesson.
 [[nodiscard]] std::string about(const LessonStudy& study, const StudyDot& dot);
 
 /// Those of some dots that none of them beats, from fast to accurate.

@@ -21,8 +21,8 @@ using Eigen::Vector2d;
 using Gap = RoundedPair::Gap;
 
 constexpr double kMargin = 14.0;
-constexpr double kInsetHeight = 0.43;  ///< Of the card.
-constexpr double kHeader = 10.0;       ///< Of an inset, beside the lines of its title.
+constexpr double kInsetHeight = 0.43;  ///< A share of the card.
+constexpr double kHeader = 10.0;       ///< In an inset, beside the lines of its title.
 constexpr double kLine = 20.0;
 constexpr double kDimension = 32.0;  ///< From a vertex to the line that tells its gap.
 constexpr double kRing = 9.0;        ///< Around what an inset enlarges.
@@ -132,7 +132,7 @@ class Inset {
   SceneBuilder& scene_;
   const Fonts& fonts_;
   std::vector<std::string> title_;
-  StageMap map_;  ///< Of the card below its title.
+  StageMap map_;  ///< Maps to the card below its title.
   Eigen::AlignedBox2d seen_;
 };
 

@@ -19,11 +19,11 @@ inline constexpr double kNoError = 1e-36;
 /// The axis of errors in frames ends here: what errs less stands at its foot.
 inline constexpr double kLeastShown = 1e-21;
 
-/// What a frame shows of it; only from StudyStage::error_axis on. The axes have room for all dots
-/// of the family, so these stay where they are.
+/// The plot in a frame; only from StudyStage::error_axis on. The axes have room for all dots of the
+/// family, so these stay where they are.
 [[nodiscard]] Plot study_plot(const LessonStudy& study, const StudyFrame& frame);
 
-/// Where a dot stands; only of dots with an error.
+/// The place of a dot; only for dots with an error.
 [[nodiscard]] Eigen::Vector2d plotted(const StudyDot& dot);
 
 /// The style of dots that go as far: the loop alone, bounds, a proof; or that stop early.

@@ -1,6 +1,6 @@
 #pragma once
-// What `gjkscope study accuracy` has found out, as far as lessons show it: how fast and how
-// accurate each way to answer the pairs of a family is, and the pair that it answers worst.
+// Results of `gjkscope study accuracy`, as far as lessons show them: how fast and how accurate each
+// way to answer the pairs of a family is, and the pair that it answers worst.
 
 #include <Eigen/Core>
 #include <optional>
@@ -14,7 +14,7 @@ namespace gjkscope {
 struct StudyDot {
   std::string family;
   std::string configuration;  ///< "float, loop only"
-  std::string axis;           ///< What the configuration varies: "arithmetic", "cap", ...
+  std::string axis;           ///< The setting that it varies: "arithmetic", "cap", ...
   std::string proof;          ///< How far answers are proved: "none", "bounds", "exact".
   int pairs = 0;
   int wrong = 0;          ///< Pairs of which it says wrongly whether they overlap,
@@ -22,7 +22,7 @@ struct StudyDot {
   int settled = 0;        ///< or which exact arithmetic settled.
   bool on_front = false;  ///< No other one of the family is as fast and as accurate.
   double ns = 0.0;        ///< Per query, the median.
-  double ratio = 0.0;     ///< Of its time to the default configuration's.
+  double ratio = 0.0;     ///< Its time to the default configuration's.
   /// The largest seen: |answer - distance| as a share of the larger of the two. Nothing: to some
   /// pair it gave no answer.
   std::optional<double> error;
@@ -35,7 +35,7 @@ struct StudyDot {
 };
 
 struct StudyResults {
-  std::string processor;       ///< Of the machine that it was measured on.
+  std::string processor;       ///< The processor of the machine that measured.
   std::vector<StudyDot> dots;  ///< The timed rows of accuracy.json, in the order of the file.
   friend bool operator==(const StudyResults&, const StudyResults&) = default;
 };
@@ -49,7 +49,7 @@ struct StudyResults {
 /// Those on the front, from fast to accurate.
 [[nodiscard]] std::vector<StudyDot> front_of(const std::vector<StudyDot>& dots);
 
-/// What an answer costs: both are better when smaller.
+/// The cost of an answer: time and error are both better when smaller.
 struct Cost {
   double ns = 0.0;
   double error = 0.0;
@@ -58,9 +58,9 @@ struct Cost {
 /// be another on the next machine, the other with the next pair.
 inline constexpr double kSameTime = 1.1;
 inline constexpr double kSameError = 2.0;
-/// Of an answer whose error is above this not one digit is right.
+/// Not one digit of an answer is right when its error is above this.
 inline constexpr double kNoDigit = 0.5;
-/// Which costs are on the front: nothing takes less time and errs no more. From the fastest on,
+/// Marks the costs on the front: nothing takes less time and errs no more. From the fastest on,
 /// each errs less than the one before, and stands for all that take the same time and err as much:
 /// it is the first of these in the list, so list the plainest way first. Costs of which not one
 /// digit is right have no place there.

@@ -32,7 +32,7 @@ struct RoundedPair {
     PositionedRun exact;
     PositionedRun in_float;
     PositionedRun in_double;
-    /// Where the shapes are closest, and where the run in float says so.
+    /// The vertices at which the shapes are closest, in truth and in the run in float.
     std::array<End, 2> ends;
     /// The ends of the two edges that face each other, an edge's one after the other; empty where
     /// these are not edges.

@@ -15,7 +15,7 @@ namespace gjkscope {
 struct StudyMark {
   std::string configuration;  ///< One of the family's.
   std::string beside;  ///< An earlier mark's, which it is compared with; empty: the one before.
-  std::string about;   ///< What it does, in a few words.
+  std::string about;   ///< A few words about it.
   std::string note;    ///< A sentence about it, for the frame that introduces it.
   friend bool operator==(const StudyMark&, const StudyMark&) = default;
 };
@@ -28,9 +28,9 @@ struct LessonStudy {
   std::vector<StudyMark> marks;
   std::shared_ptr<const StudyResults> results;  ///< From the file; shared, as they are many.
 
-  /// What it was measured on.
+  /// The processor that measured.
   [[nodiscard]] const std::string& processor() const { return results->processor; }
-  /// Of all families.
+  /// The dots of all families.
   [[nodiscard]] const std::vector<StudyDot>& dots() const { return results->dots; }
   /// The dot of a configuration of the family.
   [[nodiscard]] const StudyDot& dot(const std::string& configuration) const {

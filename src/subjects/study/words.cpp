@@ -30,7 +30,7 @@ std::string small_number(double value) {
   return fixed(value, std::clamp(decimals, 0, 16));
 }
 
-/// What `who` says wrongly, or not at all.
+/// The pairs for which `who` is wrong, or cannot tell.
 std::string of_pairs(const std::string& who, const StudyDot& dot) {
   std::string out;
   if (dot.wrong > 0)
@@ -42,7 +42,7 @@ std::string of_pairs(const std::string& who, const StudyDot& dot) {
   return out;
 }
 
-/// What the mark number `mark`, from 1, is compared with.
+/// The dot that the mark number `mark`, from 1, is compared with.
 const StudyDot& compared_with(const LessonStudy& study, int mark) {
   const auto index = static_cast<std::size_t>(mark - 1);
   const std::string& beside = study.marks[index].beside;

@@ -5,8 +5,8 @@
 
 namespace gjkscope {
 
-/// Of the support lines found by a frame's step, the one that proves the widest strip between X and
-/// Y empty (Larsen 1998, "Proof of Local Verification"). All of Y lies on one side of the line
+/// The support line, of those found by a frame's step, that proves the widest strip between X and Y
+/// empty (Larsen 1998, "Proof of Local Verification"). All of Y lies on one side of the line
 /// through its support point along d, normal to d; all of X on the other side of the line through
 /// its own along -d. The strip between them, seen in the difference, lies between O and the support
 /// line of Z: its width is a lower bound of the distance.

@@ -1,6 +1,6 @@
 #pragma once
-// What support points prove: the slab, and how much of Z was computed: what the files of this
-// folder define.
+// The slab that support points prove empty, and how much of Z was computed: declarations of the
+// files of this folder.
 
 #include "picture/act.hpp"
 #include "picture/block.hpp"

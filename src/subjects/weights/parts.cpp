@@ -44,9 +44,9 @@ void parts(SceneBuilder& scene) {
       scene.area(role, points);
       if (part.weight < 0.0) scene.hatched(hue + ".hatch", points);
       scene.outline(points);
-      // Where the area is too thin for its label: outside of the simplex, at the edge that the
-      // area stands on. A negative area lies beyond that edge, up to Q: on the far side of the
-      // longer of its other edges.
+      // A label that has no room in a thin area goes outside of the simplex, at the edge that the
+      // area stands on. A negative area lies beyond that edge, up to Q: its label goes to the far
+      // side of the longer of its other edges.
       const bool beyond = part.weight < 0.0;
       const Point q = points[0];
       const Point edge = 0.5 * (points[1] + points[2]);
