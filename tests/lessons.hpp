@@ -31,4 +31,12 @@ inline Lesson shipped_lesson(const std::string& id) {
   return {};
 }
 
+/// Its frames alone that tell, without what leads to the next lesson.
+inline Lesson told_lesson(const std::string& id) {
+  Lesson lesson = shipped_lesson(id);
+  lesson.questions.clear();
+  lesson.next.clear();
+  return lesson;
+}
+
 }  // namespace gjkscope::testing

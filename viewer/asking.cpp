@@ -133,6 +133,7 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
   Session& session = app_.session();
   const FrameQuestion* question = session.question();
   if (!question) return false;
+  if (question->place && click_on_spot(*question, view, at)) return true;
   if (const std::string name = name_of(subject); holds(question->choices, name)) {
     answer(name);
     return true;

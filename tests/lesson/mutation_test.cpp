@@ -332,7 +332,8 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
       text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
       const LoadedLesson loaded = parse_lesson(text, "large.toml", vocabulary());
       if (granularity == "time" || granularity == "maps" || granularity == "orders" ||
-          granularity == "growth" || granularity == "issues" || granularity == "study") {
+          granularity == "growth" || granularity == "issues" || granularity == "study" ||
+          granularity == "downhill" || granularity == "course-map") {
         EXPECT_FALSE(loaded.lesson) << "needs a point query, or no path";
         continue;
       }

@@ -309,14 +309,14 @@ TEST(Timeline, WithAllQuestionsFillsItsWidthAndKeepsItsStart) {
 }
 
 TEST(Timeline, ManyGroupsAreNumbered) {
-  const LessonRun run = run_lesson(testing::shipped_lesson("hierarchy-circles"));
+  const LessonRun run = run_lesson(testing::told_lesson("hierarchy-circles"));
   const auto words = timeline_words(run, static_cast<int>(run.frames.size()) - 1);
   for (const char* number : {"1", "2", "9", "10", "30"})
     EXPECT_NE(std::find(words.begin(), words.end(), number), words.end()) << number;
 }
 
 TEST(Timeline, NarrowGroupsHaveShortNames) {
-  const LessonRun run = run_lesson(testing::shipped_lesson("polygons-motion"));
+  const LessonRun run = run_lesson(testing::told_lesson("polygons-motion"));
   const auto words = timeline_words(run, 0);
   EXPECT_EQ(words.front(), "vertex C – vertex K") << "the current one's is whole";
   const auto is_short = [](const std::string& word) {
@@ -420,7 +420,7 @@ TEST(Captions, TellTheRunOfThePentagon) {
 }
 
 std::vector<FramePicture> frames_of(const std::string& id) {
-  const LessonRun run = run_lesson(testing::shipped_lesson(id));
+  const LessonRun run = run_lesson(testing::told_lesson(id));
   EffectGraph effects(run);
   return lesson_pictures(run, effects, fonts());
 }
@@ -735,8 +735,8 @@ TEST(Panel, TheMapsComeBeforeWhatTheySayOfQ) {
     return std::find(texts.begin(), texts.end(), "✗ not the same") != texts.end();
   };
   EXPECT_FALSE(told(0));
-  EXPECT_FALSE(told(6));
-  EXPECT_TRUE(told(7));
+  EXPECT_FALSE(told(7));
+  EXPECT_TRUE(told(8));
 }
 
 /// The names in a list with commas between them.

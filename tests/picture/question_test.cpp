@@ -82,7 +82,7 @@ TEST(QuestionFrames, OfPolygonsAskForBothVertices) {
 }
 
 TEST(QuestionFrames, OfferTheRegionsNotRuledOutInAnOrderThatDoesNotGiveTheAnswerAway) {
-  Lesson lesson = testing::shipped_lesson("triangle-ordered-test");
+  Lesson lesson = asking("triangle-ordered-test", {{"region", {}}});
   struct Case {
     Eigen::Vector2d q;
     std::string answer;
@@ -105,7 +105,7 @@ TEST(QuestionFrames, OfferTheRegionsNotRuledOutInAnOrderThatDoesNotGiveTheAnswer
 }
 
 TEST(QuestionFrames, OfARegionDrawOnlyRegionsThatAreRuledOut) {
-  const LessonRun run = run_lesson(testing::shipped_lesson("triangle-ordered-test"));
+  const LessonRun run = run_lesson(asking("triangle-ordered-test", {{"region", {}}}));
   EffectGraph effects(run);
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   const std::vector<FramePicture> frames = lesson_pictures(run, effects, fonts);

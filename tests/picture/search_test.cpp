@@ -132,7 +132,7 @@ TEST(SearchFrames, AskOnlyWhatAVisitAnswers) {
       EXPECT_EQ(texts[i].question->answer.ends_with("cut"), is_cut) << texts[i + 1].caption;
     }
   }
-  EXPECT_EQ(asked, 4);
+  EXPECT_EQ(asked, 8);
 }
 
 TEST(SearchFrames, AShapeWithoutSegmentsIsRefused) {

@@ -468,6 +468,24 @@ TEST(Session, PredictModeAsksBeforeItTellsAndGradesFromTheTrace) {
   for (const Frame& frame : session.run().frames) EXPECT_LT(frame.question, 0);
 }
 
+TEST(Session, WhoPointsAtAPlaceIsToldHowFarOffItWas) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("guess"), {}));
+  session.set_asking(true);
+  session.go_to(1);
+  ASSERT_NE(nullptr, session.question());
+  const FrameQuestion asked = *session.question();
+  ASSERT_TRUE(asked.place.has_value());
+  session.grade(asked.answer, *asked.place + Eigen::Vector2d(0.3, 0.4));
+  EXPECT_EQ(2, session.index());
+  const std::string told = session.told().caption;
+  EXPECT_TRUE(told.starts_with("Right: C. You pointed 0.500 away. x is the point")) << told;
+  session.forget_answers();
+  session.go_to(1);
+  session.grade("A");
+  EXPECT_TRUE(session.told().caption.starts_with("Not so: C, not A. ")) << session.told().caption;
+}
+
 TEST(Session, AVerdictOnTheStopReadsAsASentence) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));

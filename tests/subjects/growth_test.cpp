@@ -147,7 +147,9 @@ TEST(Growth, IsMeasuredOnceAndOnlyWhenAsked) {
 }
 
 TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
-  const LessonRun run = run_lesson(small_lesson());
+  Lesson lesson = small_lesson();
+  lesson.questions.clear();
+  const LessonRun run = run_lesson(lesson);
   const auto& steps = run.runs[0].trace.steps;
   const int last = static_cast<int>(steps.size()) - 1;
   const auto sizes = std::find_if(run.frames.begin(), run.frames.end(), [&](const Frame& frame) {

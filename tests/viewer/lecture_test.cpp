@@ -181,6 +181,34 @@ TEST(Lecture, ARegionIsClickedWhereItIs) {
   EXPECT_EQ(words.face(gjk::face_of(1)), click(b + 0.5 * (b - a))) << "beyond its last end";
 }
 
+TEST(Lecture, APlaceIsPointedAtAndTheAnswerSaysHowFarOffThatWas) {
+  HeadlessApp window("guess");
+  Session& session = window.session();
+  window.key("P");
+  go_to_question(window, "closest-y");
+  const FrameQuestion question = *session.question();
+  ASSERT_TRUE(question.place.has_value());
+  EXPECT_FALSE(window.app().asking().click({}, 0, *question.place + Eigen::Vector2d(1.0, 0.0)))
+      << "inside of the shape, far from its outline";
+  ASSERT_TRUE(window.app().asking().click({}, 0, *question.place + Eigen::Vector2d(0.0, 0.25)));
+  ASSERT_EQ(1u, session.answers().size());
+  EXPECT_EQ(question.answer, session.answers().back().chosen);
+  EXPECT_NE(std::string::npos, session.told().caption.find("You pointed 0.250 away."))
+      << session.told().caption;
+  window.frame(0.1);
+}
+
+TEST(Lecture, ARegionAtANewPlaceOfQIsClickedWhereItIs) {
+  HeadlessApp window("segment-regions");
+  Session& session = window.session();
+  window.key("P");
+  go_to_question(window, "region");
+  const FrameQuestion question = *session.question();
+  const Eigen::Vector2d q = in_plane(session.run().run(session.frame()).x().world.front());
+  ASSERT_TRUE(window.app().asking().click({}, 0, q));
+  EXPECT_EQ(question.answer, session.answers().back().chosen) << "Q lies in its own region";
+}
+
 TEST(Lecture, ARealClickOnTheSegmentAnswers) {
   HeadlessApp window;
   Session& session = window.session();

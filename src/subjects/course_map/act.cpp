@@ -189,15 +189,22 @@ void stage(SceneBuilder& scene) {
       scene.arrow("map.uses", from, from - Point(gap - 8.0, 0.0));
     }
     scene.out.marks.push_back(
-        {"map.title", Text{{box.min.x() + 2.0, box.max.y() + 20.0},
+        {"map.title", Text{{box.center().x(), box.max.y() + 20.0},
                            fmt::format("{}  {}", i + 1, kCourse[static_cast<std::size_t>(i)].title),
-                           is_current ? type::kStrong : type::kText}});
+                           is_current ? type::kStrong : type::kText,
+                           Align::center}});
     picture(scene, i);
   }
   const WideResult& result = scene.positioned.trace.result;
   scene.line("closest.line", scene.at(result.x), scene.at(result.y));
   for (const Eigen::Vector3d& point : {result.x, result.y})
     scene.disk("closest", scene.at(point), kClosestRadius);
+}
+
+/// All pictures, and the titles below them.
+void reach(const LessonRun&, int, ViewKind, Eigen::AlignedBox2d& seen) {
+  seen.extend(Vector2d(0.0, corner(kColumns).y() - kBelow));
+  seen.extend(corner(kColumns - 1) + Vector2d(kWidth, kHeight));
 }
 
 const Act kAct{
@@ -215,6 +222,7 @@ const Act kAct{
     .tick = tick,
     .words = words,
     .stage = stage,
+    .reach = reach,
     .question = question,
     .values = values,
 };

@@ -51,6 +51,7 @@ std::vector<Stop> walk(const std::vector<Vector2d>& outline, const Vector2d& sta
   std::vector<Stop> stops = {{start}};
   while (static_cast<int>(stops.size()) < kMostStops) {
     const Vector2d at = stops.back().at;
+    if (at == q) break;
     if (const std::optional<Vector2d> out = straight(outline, at, q)) {
       stops.push_back({*out});
       continue;

@@ -28,6 +28,13 @@ void add_part_frames(LessonRun& run, int index, int count) {
 
 void knows_nothing(const Frame&, KnownFacts& facts) { facts = {}; }
 
+bool overlap_words(const Story& story, FrameText& text) {
+  if (story.trace.result.distance > 0.0) return false;
+  text.caption = fmt::format("{} and {} overlap: the distance is 0.", story.run.lesson.x().name,
+                             story.run.lesson.y().name);
+  return true;
+}
+
 void values(const Story& story, FrameText& text) {
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
@@ -82,6 +89,7 @@ std::string whereabouts(const Story& story, bool of_x) {
 }
 
 void words(const Story& story, FrameText& text) {
+  if (overlap_words(story, text)) return;
   const std::string& x = story.run.lesson.x().name;
   const std::string& y = story.run.lesson.y().name;
   const std::string distance = story.numbers(story.trace.result.distance);
@@ -141,6 +149,7 @@ void ways_from_vertices(SceneBuilder& scene, const std::vector<Vector2d>& from,
 }
 
 void stage(SceneBuilder& scene) {
+  if (!(scene.positioned.trace.result.distance > 0.0)) return;
   const Part at = part(scene.run, scene.frame);
   const Vector2d x = in_plane(scene.positioned.trace.result.x);
   const Vector2d y = in_plane(scene.positioned.trace.result.y);

@@ -16,6 +16,8 @@ void measured_line(SceneBuilder& scene, const std::string& role, const std::stri
 void add_part_frames(LessonRun& run, int index, int count);
 /// Nothing of the run is known, whatever the part.
 void knows_nothing(const Frame& frame, KnownFacts& facts);
+/// The words of a frame of shapes that overlap; false where they do not.
+bool overlap_words(const Story& story, FrameText& text);
 /// The names of both shapes.
 void values(const Story& story, FrameText& text);
 

@@ -62,7 +62,10 @@ std::vector<Vector2d> sampled(const std::vector<Vector2d>& outline) {
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Part at = part(run, frame);
-  if (question.ask == kAskPair.name) return at == Part::nearest ? frame.step : -1;
+  if (question.ask == kAskPair.name) {
+    const bool are_apart = run.run(frame).trace.result.distance > 0.0;
+    return at == Part::nearest && are_apart ? frame.step : -1;
+  }
   return at == Part::closest && has_closest(run, frame, question.ask) ? frame.step : -1;
 }
 
@@ -91,6 +94,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void words(const Story& story, FrameText& text) {
+  if (guesses::overlap_words(story, text)) return;
   const Lesson& lesson = story.run.lesson;
   const std::vector<Vector2d> x = in_plane(story.positioned.x().world);
   const std::vector<Vector2d> y = in_plane(story.positioned.y().world);
@@ -127,14 +131,15 @@ void words(const Story& story, FrameText& text) {
                       kSamples, grouped(static_cast<double>(of_x.size() * of_y.size())),
                       story.numbers(best.distance - distance));
       text.detail =
-          "An edge has infinitely many points: they cannot all be tried. A few comparisons must "
-          "do.";
+          "An edge never runs out of points: they cannot all be tried. A few comparisons "
+          "must do.";
       return;
     }
   }
 }
 
 void stage(SceneBuilder& scene) {
+  if (!(scene.positioned.trace.result.distance > 0.0)) return;
   const Part at = part(scene.run, scene.frame);
   const std::vector<Vector2d> x = in_plane(scene.positioned.x().world);
   const std::vector<Vector2d> y = in_plane(scene.positioned.y().world);
