@@ -10,6 +10,7 @@
 #include "judge/trial.hpp"
 #include "lesson/case.hpp"
 #include "lesson/save.hpp"
+#include "run/run.hpp"
 
 namespace gjkscope {
 namespace {
@@ -105,6 +106,10 @@ void write_case(const std::filesystem::path& dir, const judging::FamilyTrial& tr
   Lesson lesson = lesson_of(*read.front().value, name, ScalarKind::double_);
   lesson.title = fmt::format("A case of the family {}", trial.family);
   lesson.prose = fmt::format("The distance is {:.10g}.", smallest.distance);
+  lesson.views = {{ViewKind::world, "X and Y", {}, {}},
+                  {ViewKind::difference, "The difference Z = Y − X", {}, {}}};
+  lesson.expect.stop =
+      name_of(run_case(*read.front().value, ScalarKind::double_).trace.result.stop);
   write_whole(dir / (name + ".toml"), lesson_toml(lesson));
 }
 

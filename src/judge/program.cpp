@@ -29,7 +29,7 @@ constexpr std::size_t kOneByOne = 64;
 /// A shell's command with pipes to it, in a process group of its own.
 class Child {
  public:
-  explicit Child(const std::string& command) {
+  Child(const std::string& command, bool is_loud) {
     std::array<int, 2> in = {};
     std::array<int, 2> out = {};
     if (pipe2(in.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a program");
@@ -41,6 +41,7 @@ class Child {
       signal(SIGPIPE, SIG_DFL);
       dup2(in[0], STDIN_FILENO);
       dup2(out[1], STDOUT_FILENO);
+      if (!is_loud) dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
       execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
       _exit(127);
     }
@@ -102,9 +103,10 @@ void split(std::string& text, std::vector<std::string>& lines, std::size_t most)
   text.erase(0, begin);
 }
 
-Round run_once(const std::string& command, std::span<const std::string> cases, double seconds) {
+Round run_once(const std::string& command, std::span<const std::string> cases, double seconds,
+               bool is_loud) {
   Round out;
-  Child child(command);
+  Child child(command, is_loud);
   std::string unsent;
   std::size_t next = 0;
   std::string unread;
@@ -174,15 +176,21 @@ std::vector<Reply> ask(const std::string& command, const std::vector<std::string
   std::vector<Reply> replies(cases.size());
   const std::span all(cases);
   std::size_t at = 0;
+  bool is_loud = patience.is_loud;
+  bool has_answered = false;
   const auto take = [&](Round& round) {
+    has_answered = has_answered || !round.lines.empty();
     for (std::string& line : round.lines) replies[at++] = {Reply::Kind::answered, std::move(line)};
   };
-  for (int faults = 0; at < cases.size() && faults < patience.most_faults;) {
-    Round round = run_once(command, all.subspan(at), patience.seconds);
+  constexpr int kMostUnheard = 3;
+  for (int faults = 0; at < cases.size() && faults < patience.most_faults &&
+                       (has_answered || faults < kMostUnheard);) {
+    Round round = run_once(command, all.subspan(at), patience.seconds, is_loud);
+    is_loud = false;
     take(round);
     const std::size_t end = std::min(cases.size(), at + kOneByOne);
     while (at < end) {
-      Round one = run_once(command, all.subspan(at, 1), patience.seconds);
+      Round one = run_once(command, all.subspan(at, 1), patience.seconds, false);
       if (!one.lines.empty()) {
         take(one);
         continue;

@@ -17,10 +17,12 @@ struct Reply {
 struct Patience {
   double seconds = 5;    ///< Without an answer; then a program is silent.
   int most_faults = 10;  ///< Crashes and silences of one call; then it is not asked on.
+  bool is_loud = true;   ///< What it says on its standard error is seen, until it fails.
 };
 
 /// Asks `command`, which a shell runs, all cases at once. A case on which the program ends early or
-/// falls silent costs the answer to that case only: the program is started again for the next. As
+/// falls silent costs the answer to that case only: the program is started again for the next. One
+/// that answers none of the first three is not asked on. As
 /// programs may keep answers back until they end, such a case is found by asking one at a time.
 [[nodiscard]] std::vector<Reply> ask(const std::string& command,
                                      const std::vector<std::string>& cases,

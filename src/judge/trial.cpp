@@ -165,7 +165,9 @@ template <int D>
 class Reduction {
  public:
   Reduction(const TrialOptions& options, Asked<D> from, Fault fault)
-      : options_(options), best_(std::move(from)), fault_(fault) {}
+      : options_(options), patience_(options.patience), best_(std::move(from)), fault_(fault) {
+    patience_.is_loud = false;
+  }
 
   Asked<D> reduced() {
     if (fault_ == Fault::silent) return best_;  // each try would take all patience
@@ -235,7 +237,7 @@ class Reduction {
       if (options_.in_float) pair = families::rounded_to_floats(pair);
       texts.push_back(text_of(pair));
     }
-    const std::vector<Reply> replies = ask(options_.command, texts, options_.patience);
+    const std::vector<Reply> replies = ask(options_.command, texts, patience_);
     for (std::size_t i = 0; i < tries.size(); ++i) {
       if (replies[i].kind == Reply::Kind::not_asked) continue;
       if (tries[i].x == best_.pair.x && tries[i].y == best_.pair.y) continue;
@@ -248,6 +250,7 @@ class Reduction {
   }
 
   const TrialOptions& options_;
+  Patience patience_;
   Asked<D> best_;
   Fault fault_;
   int rounds_ = 0;
@@ -283,14 +286,20 @@ FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& la
     of_smallest = fault;
   }
   if (!smallest) return out;
+  const bool is_heard = std::any_of(replies.begin(), replies.end(), [](const Reply& reply) {
+    return reply.kind == Reply::Kind::answered;
+  });
+  if (!is_heard) return out;
   const Asked<D> reduced = Reduction<D>(options, cases[*smallest], of_smallest).reduced();
+  Patience quiet = options.patience;
+  quiet.is_loud = false;
   FailingCase& told = out.smallest.emplace();
   told.fault = of_smallest;
   told.text = text_of(reduced.pair);
   told.distance = reduced.distance;
   told.answer = of_smallest == Fault::silent
                     ? "silence"
-                    : ask(options.command, {told.text}, options.patience).front().line;
+                    : ask(options.command, {told.text}, quiet).front().line;
   return out;
 }
 

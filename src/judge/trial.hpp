@@ -13,7 +13,7 @@
 
 namespace gjkscope::judging {
 
-/// What is wrong with an answer. docs/log-format.md says when each holds.
+/// What is wrong with an answer. docs/judge-program.md says when each holds.
 enum class Fault : std::uint8_t {
   none,
   missed,

@@ -61,5 +61,103 @@ TEST(JudgeCommand, JudgesEachFileAndPrintsJson) {
   EXPECT_EQ("answer", wrong["wrong_answer"]["part"]);
 }
 
+/// The rows of the table that a program gets, and what else is printed.
+Ran tried(const test::TemporaryFolder& folder, const std::string& script,
+          const std::string& options = "--family random --family grid --dimension 2 --pairs 100") {
+  return run_program("judge --program 'sh " + folder.file("script", script) + "' " + options);
+}
+bool says(const Ran& ran, const std::string& part) {
+  return ran.out.find(part) != std::string::npos;
+}
+
+TEST(JudgeProgram, OurOwnProgramFailsNowhere) {
+  const Ran ran = run_program("judge --program '" GJKSCOPE_BINARY " solve -' --pairs 40");
+  EXPECT_EQ(kDone, ran.exit_code) << ran.out;
+  const std::vector<std::string> lines = test::lines_of(ran.out);
+  EXPECT_EQ(2u + 22 + 26, lines.size());
+  for (std::size_t i = 2; i < lines.size(); ++i)
+    EXPECT_NE(std::string::npos, lines[i].find("| 40 | . |")) << lines[i];
+}
+
+TEST(JudgeProgram, AFloatIsHeldToFloats) {
+  const std::string options = " --family random --dimension 2 --pairs 100";
+  const std::string program = "judge --program '" GJKSCOPE_BINARY " solve - --scalar float'";
+  EXPECT_EQ(kDone, run_program(program + options + " --float").exit_code);
+  EXPECT_EQ(kProblem, run_program(program + options).exit_code);
+}
+
+TEST(JudgeProgram, FailuresAreCountedAndNamed) {
+  const test::TemporaryFolder folder;
+  const auto answering = [](const std::string& line) {
+    return "while read -r line; do echo '" + line + "'; done\n";
+  };
+  for (const auto& [line, row] :
+       std::vector<std::pair<std::string, std::string>>{{R"({"distance":NaN})", "100 n |"},
+                                                        {R"({"distance":null})", "100 n |"},
+                                                        {R"({"distance":"inf"})", "100 n |"},
+                                                        {R"({"error":"no"})", "100 g |"},
+                                                        {"hello", "100 x |"},
+                                                        {"[]", "100 x |"},
+                                                        {R"({"distance":[1]})", "100 x |"},
+                                                        {R"({"distance":0})", " i |"},
+                                                        {R"({"overlap":true})", " i |"},
+                                                        {R"({"overlap":false})", " m |"},
+                                                        {"1e3", " r |"}}) {
+    const Ran ran = tried(folder, answering(line));
+    EXPECT_EQ(kProblem, ran.exit_code) << line;
+    EXPECT_TRUE(says(ran, row)) << line << '\n' << ran.out;
+  }
+}
+
+TEST(JudgeProgram, ACrashAndSilenceCostTheirCaseOnly) {
+  const test::TemporaryFolder folder;
+  // Answers with the true program, but crashes or sleeps at some cases.
+  const std::string begin = "while read -r line; do n=$((n + 1))\n";
+  const std::string end = "printf '%s\\n' \"$line\" | " GJKSCOPE_BINARY " solve -; done\n";
+  const std::string marked = R"(case "$line" in *'"a":[[0.5'*) )";
+  const std::string options =
+      "--family random --dimension 2 --pairs 60 --patience 0.5 --json --seed 4";
+  for (const auto& [deed, fault] :
+       {std::pair{"kill -9 $$", "crashed"}, std::pair{"sleep 60", "silent"}}) {
+    const Ran ran = tried(folder, begin + marked + deed + ";; esac\n" + end, options);
+    EXPECT_EQ(kProblem, ran.exit_code) << ran.err;
+    const auto row = nlohmann::json::parse(ran.out);
+    const int faults = row["faults"][fault].get<int>();
+    EXPECT_GE(faults, 1) << ran.out;
+    EXPECT_EQ(fault, row["smallest"]["fault"]) << ran.out;
+    for (const auto& [name, count] : row["faults"].items())
+      EXPECT_TRUE(name == fault || count == 0) << ran.out;
+    EXPECT_TRUE(faults == 10 || row["asked"] == 60) << ran.out;
+  }
+}
+
+TEST(JudgeProgram, AProgramThatAnswersNothingIsGivenUp) {
+  const test::TemporaryFolder folder;
+  for (const char* script : {"exit 3\n", "exec no-such-program\n", "sleep 60\n", "cat >&2\n"}) {
+    const Ran ran = tried(folder, script, "--patience 0.2 --pairs 20");
+    EXPECT_EQ(kCannot, ran.exit_code) << script;
+    EXPECT_NE(std::string::npos, ran.err.find("the program answers nothing")) << ran.err;
+  }
+  const Ran endless = run_program(
+      "judge --program 'cat /dev/zero' --family random --dimension 2 --pairs 3 --patience 5");
+  EXPECT_EQ(kProblem, endless.exit_code);
+  EXPECT_TRUE(says(endless, "3 x")) << endless.out;
+}
+
+TEST(JudgeProgram, TheSmallestFailingCaseIsReducedAndWritten) {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder.path() / "failing").string();
+  const Ran ran = tried(folder, "while read -r line; do echo '{\"distance\":1}'; done\n",
+                        "--family clouds --pairs 50 --out " + out);
+  EXPECT_EQ(kProblem, ran.exit_code);
+  const auto found = nlohmann::json::parse(test::read_file(out + "/clouds-2d.json"));
+  EXPECT_EQ(1u, found["a"].size());
+  EXPECT_EQ(1u, found["b"].size());
+  EXPECT_NE(std::string::npos, found["why"].get<std::string>().find("answers {\"distance\":1}"));
+  const Ran checked = run_program("check " + out + "/clouds-2d.json " + out + "/clouds-2d.toml " +
+                                  out + "/clouds-3d.json");
+  EXPECT_EQ(kDone, checked.exit_code) << checked.out << checked.err;
+}
+
 }  // namespace judge_command_test
 }  // namespace gjkscope

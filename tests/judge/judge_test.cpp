@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace gjkscope::judging {
 namespace judge_test {
@@ -194,17 +194,17 @@ TEST(Judge, TenThousandIterationsTakeLessThanASecond) {
         "{{\"simplex\":[[{},{}],[{},{}]],\"closest\":[{},{},{}],\"direction\":[{},{},{}]}}\n", i, j,
         next, j, p[0], p[1], p[2], -p[0], -p[1], -p[2]);
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   const ReadLog read = read_log(log, "log");
   ASSERT_TRUE(read.log) << to_string(read.problems);
   const Judgement judgement = judge(*read.log);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   ASSERT_TRUE(judgement.wrong);
   EXPECT_EQ(judgement.wrong->iteration, kVertices * kVertices) << judgement.wrong->what;
   EXPECT_EQ(judgement.wrong->part, Part::stop) << judgement.wrong->what;
   EXPECT_GT(judgement.rounding, 0);
 #ifdef NDEBUG
-  EXPECT_LT(took.count(), 1.0);
+  EXPECT_LT(seconds, 1.0);
 #endif
 }
 
