@@ -155,8 +155,9 @@ class Reader {
     if (!problems_.empty()) return;
     std::vector<Point> a = read_shape(value, "a");
     std::vector<Point> b = read_shape(value, "b");
-    log_.x = log_.a_is_x ? std::move(a) : std::move(b);
-    log_.y = log_.a_is_x ? std::move(b) : std::move(a);
+    if (!log_.a_is_x) std::swap(a, b);
+    log_.x = std::move(a);
+    log_.y = std::move(b);
     has_shapes_ = problems_.empty();
   }
 
