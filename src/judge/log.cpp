@@ -58,7 +58,9 @@ class Reader {
       ++number_;
       const bool ends = end != std::string_view::npos;
       text.remove_prefix(ends ? end + 1 : text.size());
-      if (skip_space(line_, 0) != line_.size()) read_line(ends);
+      if (skip_space(line_, 0) == line_.size()) continue;
+      read_line(ends);
+      if (!has_shapes_) break;
     }
     if (number_ == 0) number_ = 1;
     if (!has_head_ && problems_.empty()) report({}, "there is no log", kHead);
@@ -153,8 +155,10 @@ class Reader {
     if (!problems_.empty()) return;
     std::vector<Point> a = read_shape(value, "a");
     std::vector<Point> b = read_shape(value, "b");
-    log_.x = log_.a_is_x ? std::move(a) : std::move(b);
-    log_.y = log_.a_is_x ? std::move(b) : std::move(a);
+    if (!log_.a_is_x) std::swap(a, b);
+    log_.x = std::move(a);
+    log_.y = std::move(b);
+    has_shapes_ = problems_.empty();
   }
 
   /// From the key, or from the first point.
@@ -316,6 +320,7 @@ class Reader {
   std::string_view line_;
   int number_ = 0;
   bool has_head_ = false;
+  bool has_shapes_ = false;  ///< Without them the other lines say nothing.
   Log log_;
   std::vector<Problem> problems_;
 };

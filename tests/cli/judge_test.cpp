@@ -61,6 +61,22 @@ TEST(JudgeCommand, JudgesEachFileAndPrintsJson) {
   EXPECT_EQ("answer", wrong["wrong_answer"]["part"]);
 }
 
+TEST(JudgeCommand, PrintsWhatTheDocumentShows) {
+  const std::string page = test::read_file(GJKSCOPE_SOURCE_DIR "/docs/log-format.md");
+  std::string log;
+  std::string expected;
+  for (const std::string& line : test::lines_of(page)) {
+    if (line.starts_with("    {")) log += line.substr(4) + "\n";
+    if (line.starts_with("    run.jsonl:")) expected += line.substr(4) + "\n";
+  }
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("run.jsonl", log);
+  std::string printed = run_program("judge " + file).out;
+  for (std::size_t at = 0; (at = printed.find(file)) != std::string::npos;)
+    printed.replace(at, file.size(), "run.jsonl");
+  EXPECT_EQ(expected, printed);
+}
+
 /// The rows of the table that a program gets, and what else is printed.
 Ran tried(const test::TemporaryFolder& folder, const std::string& script,
           const std::string& options = "--family random --family grid --dimension 2 --pairs 100") {
@@ -142,6 +158,36 @@ TEST(JudgeProgram, AProgramThatAnswersNothingIsGivenUp) {
       "judge --program 'cat /dev/zero' --family random --dimension 2 --pairs 3 --patience 5");
   EXPECT_EQ(kProblem, endless.exit_code);
   EXPECT_TRUE(says(endless, "3 x")) << endless.out;
+}
+
+/// The code of docs/judge-program.md in a language, with a distance of points.
+TEST(JudgeProgram, TheProgramsOfTheDocumentAnswer) {
+  const std::string page = test::read_file(GJKSCOPE_SOURCE_DIR "/docs/judge-program.md");
+  const auto code = [&](const std::string& language) {
+    const std::string open = "\n```" + language + "\n";
+    const std::size_t begin = page.find(open) + open.size();
+    return page.substr(begin, page.find("```\n", begin) - begin);
+  };
+  const std::string python =
+      "def distance(a, b):\n    return min(((x[0]-y[0])**2 + (x[1]-y[1])**2)**0.5 for x in a for y "
+      "in b)\n";
+  const std::string js =
+      "const distance = (a, b) => Math.min(...a.flatMap((x) => b.map((y) => Math.hypot(x[0] - "
+      "y[0], x[1] - "
+      "y[1]))));\n";
+  const test::TemporaryFolder folder;
+  for (const auto& [program, text] :
+       {std::pair{"python3 ", python + code("python")}, std::pair{"node ", js + code("js")}}) {
+    const Ran ran =
+        run_program("judge --program '" + (program + folder.file("script.cjs", text)) +
+                    "' --family random --family identical --dimension 2 --pairs 50 --json");
+    const std::vector<std::string> lines = test::lines_of(ran.out);
+    ASSERT_EQ(2u, lines.size()) << ran.err;
+    const auto random = nlohmann::json::parse(lines[0]);
+    EXPECT_EQ(0, random["faults"]["nonsense"]);
+    EXPECT_EQ(50, random["asked"]);
+    EXPECT_EQ(0, nlohmann::json::parse(lines[1])["faults"]["missed"]);
+  }
 }
 
 TEST(JudgeProgram, TheSmallestFailingCaseIsReducedAndWritten) {

@@ -228,7 +228,7 @@ std::set<std::string> options_in(const std::string& help) {
 class Completion : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Completion, OffersEveryOptionThatHelpLists) {
-  for (const std::string command : {"lessons", "export", "open", "trace", "solve", "check",
+  for (const std::string command : {"lessons", "export", "open", "trace", "solve", "judge", "check",
                                     "transcript", "explain", "study accuracy", "study effects"}) {
     const std::set<std::string> listed = options_in(run_program(command + " --help").out);
     EXPECT_TRUE(listed.contains("--help"));

@@ -181,6 +181,12 @@ TEST(Reading, ALastLineThatIsCutOffIsLeftOut) {
   EXPECT_NE(problem_of(kHead.substr(0, 20)), "none");
 }
 
+TEST(Reading, WithoutShapesNothingElseIsRead) {
+  const ReadLog read = read_log("{\"gjk_log\":1,\"a\":[[0,0]]}\n{\"simplex\":[[0,0]]}\n", "log");
+  ASSERT_EQ(read.problems.size(), 1u);
+  EXPECT_EQ(read.problems[0].what, "the first line has no 'b'");
+}
+
 TEST(Reading, HostileLinesAreRefusedSoon) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string many(1000000, '[');
