@@ -327,7 +327,7 @@ TEST(Lecture, TheDirectionsStandAtTheShapesWhileTheirVerticesAreAsked) {
 }
 
 TEST(Lecture, WhereNothingIsAskedThatIsSaid) {
-  HeadlessApp window("segment-regions");
+  HeadlessApp window("hierarchy-orders");
   window.key("P");
   for (const Frame& frame : window.session().run().frames) EXPECT_LT(frame.question, 0);
   for (int i = 0; i < 3; ++i) window.frame();
