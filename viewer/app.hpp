@@ -84,8 +84,9 @@ class App {
 
   // Called by the window
 
-  /// What the atlas must hold for a window of this size, in pixels: pixels per frame pixel of the
-  /// picture. `density`: how many times finer the pixels are than on an ordinary screen.
+  /// The pixels that an atlas must hold for a window of this size, in pixels: pixels per frame
+  /// pixel of the picture. `density`: how many times finer the pixels are than on an ordinary
+  /// screen.
   [[nodiscard]] double layout(double width, double height, double density = 1.0);
   /// Pixels of the panels' type and spaces per pixel of theirs at scale 1.
   [[nodiscard]] double ui_scale() const { return ui_scale_; }
@@ -103,7 +104,7 @@ class App {
   void tick(double now);
   /// Until when nothing happens by itself; nothing at all: never.
   [[nodiscard]] std::optional<double> wakes_at() const;
-  /// What pasting and copying use.
+  /// The clipboard that pasting and copying use.
   std::function<std::string()> paste;
   std::function<void(const std::string&)> copy;
 
@@ -123,7 +124,7 @@ class App {
   /// The file whose changes matter.
   [[nodiscard]] std::filesystem::path watched() const { return session_.file(); }
 
-  // What the parts of the window know of each other
+  // Knowledge that the parts of the window share
 
   [[nodiscard]] Session& session() { return session_; }
   [[nodiscard]] PictureView& picture() { return picture_; }
@@ -158,7 +159,7 @@ class App {
   std::optional<ExportOptions> last_export;
   /// Names of values (drawers/values.hpp) that stay in sight.
   std::vector<std::string> pinned;
-  /// What drawers point at in the frame that is being drawn.
+  /// The things that drawers point at in the frame that is being drawn.
   Subject pointed_in_panel;
 
   /// The one way to change a lesson; says why when it is refused.
@@ -186,7 +187,7 @@ class App {
     int done = 0;
     int of = 0;
   };
-  /// Of a chapter; of all, without.
+  /// A chapter's; without one, all.
   [[nodiscard]] Progress progress(std::optional<int> chapter = std::nullopt) const;
 
   /// At the step that an exported file shows.
@@ -365,13 +366,13 @@ class App {
   };
   std::optional<Outside> outside_;
   std::filesystem::path looked_at_;     ///< The file that was the lesson's in the last tick.
-  bool is_missing_ = false;             ///< That file, when it was looked at last.
+  bool is_missing_ = false;             ///< The file, at the last look.
   std::optional<double> gone_since_;    ///< When that was seen first.
   std::vector<NotedCase> noted_cases_;  ///< Those opened last.
 
   double panel_size_ = 1.0;  ///< As the user chose.
   double ui_scale_ = 1.0;    ///< Times the density of the screen.
-  double width_ = 0.0;       ///< Of the window, in pixels.
+  double width_ = 0.0;       ///< The window's, in pixels.
   double height_ = 0.0;
   double density_ = 1.0;
   Room room_;
@@ -423,7 +424,7 @@ class App {
   std::stop_source stop_export_;
   std::filesystem::path export_folder_;
   double export_began_ = 0.0;
-  bool gives_export_up_ = false;  ///< Who asks to quit again does.
+  bool gives_export_up_ = false;  ///< A second wish to quit is granted.
   std::future<Exported> exporting_;
   std::future<void> keeping_;  ///< Uses `unsaved_`.
   /// Consequences of a drag of large shapes; uses `session_`.

@@ -31,7 +31,7 @@ constexpr std::size_t kMostRecent = 10;
 /// Bytes of a file that is opened beside the window: some 10,000 vertices.
 constexpr std::uintmax_t kLarge = 400'000;
 
-/// What a run came to, for the lesson's file to expect.
+/// The outcome of a run, for the lesson's file to expect.
 Expectation outcome_of(const LessonRun& run) {
   const WideTrace& trace = run.runs.back().trace;
   Expectation expect;

@@ -73,7 +73,7 @@ struct Open {
     if (ImGui::Button("Cancel")) app.close_dialog();
   }
 
-  /// What was chosen of the files used last and of those in the folder.
+  /// The choice among the files used last and of those in the folder.
   [[nodiscard]] fs::path list(const fs::path& typed) const {
     std::error_code none;
     fs::path chosen;
@@ -324,7 +324,7 @@ struct Palette {
     for (Entry& entry : entries()) {
       if (is_spelled(typed, lower(entry.name))) found.push_back(std::move(entry));
     }
-    // What holds the words as they were typed comes first.
+    // Files that hold the words as they were typed come first.
     std::stable_partition(found.begin(), found.end(), [&](const Entry& entry) {
       return lower(entry.name).find(typed) != std::string::npos;
     });

@@ -260,7 +260,7 @@ int print_trace(const Environment& env, const Traced& traced, bool json) {
   return say_refused(env, traced.id, traced.runs);
 }
 
-/// What a lesson that shows the method would trace.
+/// The trace of a lesson that shows the method.
 int print_trace(const Environment& env, const ReadCase& read, ModelMethod method, bool json) {
   Lesson lesson = lesson_of(*read.outlines, read.name);
   lesson.act = method == ModelMethod::pieces      ? "convex-pieces"

@@ -28,12 +28,12 @@ inline constexpr int kUsage = 2;    ///< The command line: unknown command, opti
 inline constexpr int kCannot = 3;   ///< Something cannot be read, written or drawn.
 inline constexpr int kSignalBase = 128;  ///< Plus the number of the signal that ended a command.
 
-/// What a command works with besides its arguments.
+/// All that a command works with besides its arguments.
 struct Environment {
   std::filesystem::path share;  ///< Holds lessons/ and assets/.
   std::istream& in;
-  std::ostream& out;  ///< What was asked for.
-  std::ostream& err;  ///< What went wrong.
+  std::ostream& out;  ///< The answer.
+  std::ostream& err;  ///< Complaints.
 };
 
 /// A list of lessons by id or path, or all of the shipped ones.
@@ -70,10 +70,10 @@ struct Named<ModelMethod> {
 
 /// How cases are answered.
 struct CaseOptions {
-  ScalarKind scalar = ScalarKind::double_;  ///< Of point sets.
-  ModelMethod method = ModelMethod::boxes;  ///< Of outlines.
+  ScalarKind scalar = ScalarKind::double_;  ///< For point sets.
+  ModelMethod method = ModelMethod::boxes;  ///< For outlines.
 };
-/// What the method needs of outlines.
+/// The needs of a method that outlines must meet.
 [[nodiscard]] models::Needs needs_of(ModelMethod method);
 
 /// `name` is a lesson or a case file; `options` are for cases, lessons bring their own. Brute force

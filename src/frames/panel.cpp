@@ -9,7 +9,7 @@ namespace gjkscope {
 std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects, const Frame& frame,
                               const Fonts& fonts, const Rect& card) {
   PanelBuilder panel(run, effects, frame, fonts, card);
-  // Where a question is asked at a new place, the numbers there would answer it.
+  // A question at a new place would be answered by the numbers there.
   if (frame.question >= 0 && run.act->asking != nullptr) {
     panel.heading("The numbers come with the answer.");
     return std::move(panel.marks);

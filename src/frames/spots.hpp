@@ -1,13 +1,13 @@
 #pragma once
-// Where a reader points at the choices of a question.
+// The places at which a reader points for the choices of a question.
 
 #include "picture/frame_text.hpp"
 #include "run/run.hpp"
 
 namespace gjkscope {
 
-/// Of choices that name vertices or edges: "K", "vertex K of Y", "edge KL of Y", "K−A", "K−A to
-/// L−A". Nothing for all others.
+/// The spots of choices that name vertices or edges: "K", "vertex K of Y", "edge KL of Y", "K−A",
+/// "K−A to L−A". Nothing for all others.
 [[nodiscard]] std::vector<std::optional<Spot>> spots_of(const LessonRun& run, const Frame& frame,
                                                         const std::vector<std::string>& choices);
 

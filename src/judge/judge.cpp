@@ -19,7 +19,7 @@ Vertex exact(const Point& p) { return {Rational(p[0]), Rational(p[1]), Rational(
 double length(const Vertex& v) { return root_nearest(gjk::dot(v, v)); }
 Vertex difference(const Vertex& a, const Vertex& b) { return a - b; }
 
-/// Of all vertices together.
+/// The simplex of all vertices.
 gjk::Simplex<Rational, 3> simplex_of(const std::vector<Vertex>& vertices) {
   gjk::Simplex<Rational, 3> out;
   out.count = static_cast<int>(vertices.size());
@@ -48,7 +48,7 @@ struct Extent {
   double longest = 0;
   double height = std::numeric_limits<double>::infinity();
   double thin =
-      1;  ///< Of a triangle or a tetrahedron L^2 / area or L^3 / volume, but for a factor.
+      1;  ///< For a triangle or a tetrahedron L^2 / area or L^3 / volume, but for a factor.
 };
 Extent extent_of(const std::vector<Vertex>& vertices) {
   Extent out;
@@ -184,7 +184,7 @@ class Judge {
            : log_.scalar == ScalarKind::single ? 0x1p-149
                                                : 0x1p-1074;
   }
-  /// What rounding explains of an error whose unit is u `longest`.
+  /// The part that rounding explains of an error whose unit is u `longest`.
   [[nodiscard]] double explained(double longest) const {
     return kUnits * (unit_ * longest + smallest());
   }
@@ -290,7 +290,7 @@ class Judge {
     out_.rounded = finding(part, i, "");
   }
 
-  // What the lines say together.
+  // Claims that several lines make together.
 
   /// The pair whose difference is `point`, or nothing, with the reason.
   std::optional<VertexPair> pair_of(const Point& point, std::optional<VertexPair> told,

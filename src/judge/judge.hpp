@@ -25,10 +25,10 @@ namespace gjkscope::judging {
 /// a quarter of it on all families of pairs: tests/judge/judge_test.cpp.
 inline constexpr double kUnits = 16;
 
-/// What a finding is about.
+/// The part of a step that a finding is about.
 enum class Part : std::uint8_t {
   vertex,     ///< A vertex of the simplex is a difference y - x, and comes from where it should.
-  drop,       ///< What is kept is what P needs.
+  drop,       ///< The kept vertices are those that P needs.
   weights,    ///< The barycentric coordinates of P.
   closest,    ///< P is the point of the simplex closest to O.
   direction,  ///< d leads from P to O.
@@ -49,7 +49,7 @@ struct Judgement {
   double distance = 0;             ///< The exact one, rounded.
   bool overlap = false;            ///< The shapes meet, exactly.
   std::optional<Finding> wrong;    ///< The first step that is wrong.
-  std::optional<Finding> answer;   ///< What is wrong with the answer.
+  std::optional<Finding> answer;   ///< The fault of the answer.
   std::optional<Finding> waste;    ///< The first.
   double rounding = 0;             ///< The largest error that is explained, in units u L.
   std::optional<Finding> rounded;  ///< The step that has it.

@@ -14,14 +14,14 @@ namespace gjkscope::judging {
 /// In the plane z = 0.
 using Point = Eigen::Vector3d;
 
-/// What a line says of an iteration; empty where it says nothing. Z is the difference y - x.
+/// A line about an iteration; members are empty where it says nothing. Z is the difference y - x.
 struct Iteration {
-  int line = 0;                          ///< Of the file, from 1.
+  int line = 0;                          ///< In the file, from 1.
   std::vector<gjk::VertexPair> simplex;  ///< Before vertices are dropped.
   std::vector<Point> points;             ///< The same as points of Z.
   std::vector<gjk::VertexPair> kept;     ///< After that.
   std::vector<Point> kept_points;
-  std::vector<double> weights;  ///< Of what is kept, or where that is not logged, of the simplex.
+  std::vector<double> weights;  ///< For the kept vertices, or, not logged, the simplex.
   std::optional<Point> closest;
   std::optional<Point> direction;
   std::optional<gjk::VertexPair> support;

@@ -7,17 +7,17 @@
 
 namespace gjkscope::judging {
 
-/// What a program said to a case.
+/// A program's reply to a case.
 struct Reply {
   enum class Kind { answered, silent, crashed, not_asked };
   Kind kind = Kind::not_asked;
-  std::string line;  ///< Of an answer; of a crash, how the program ended.
+  std::string line;  ///< The answer; after a crash, how the program ended.
 };
 
 struct Patience {
   double seconds = 5;    ///< Without an answer; then a program is silent.
   int most_faults = 10;  ///< Crashes and silences of one call; then it is not asked on.
-  bool is_loud = true;   ///< What it says on its standard error is seen, until it fails.
+  bool is_loud = true;   ///< Its standard error is shown, until it fails.
 };
 
 /// Asks `command`, which a shell runs, all cases at once. A case on which the program ends early or

@@ -13,7 +13,7 @@
 
 namespace gjkscope::judging {
 
-/// What is wrong with an answer. docs/judge-program.md says when each holds.
+/// The fault of an answer. docs/judge-program.md says when each holds.
 enum class Fault : std::uint8_t {
   none,
   missed,
@@ -32,7 +32,7 @@ struct TrialOptions {
   std::string command;
   std::vector<std::string> families;  ///< By name; empty: all.
   int dimension = 0;                  ///< 2, 3, or 0 for both.
-  int pairs = 2000;                   ///< Of each family.
+  int pairs = 2000;                   ///< In each family.
   std::uint64_t seed = 1;
   bool in_float = false;  ///< Coordinates are floats, and so may be what the program computes in.
   Patience patience;

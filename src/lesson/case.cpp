@@ -100,7 +100,7 @@ class CaseReader {
         {file_, place.line, place.column, std::move(what), std::string(expected), ""});
   }
 
-  /// Of the value at `path`, as seen from `at`; looked for only where it will be listed.
+  /// The place of the value at `path`, as seen from `at`; looked for only where it will be listed.
   void report(ReadCase& to, std::size_t at, const Path& path, std::string what,
               std::string_view expected) const {
     if (to.problems.size() < kListedProblems)

@@ -59,14 +59,14 @@ struct CaseLimits {
 /// One case of a text, as far as it could be read.
 struct ReadCase {
   std::string name;  ///< Its `name`, or the file's; the second of a file has "#2" added, and so on.
-  Place place;       ///< Where it begins.
+  Place place;       ///< Its beginning.
   std::optional<Case> value;
   std::optional<CaseIn<3>> in_space;
   std::optional<OutlineCase> outlines;
   CaseNotes notes;
   std::vector<Problem> problems;  ///< Empty exactly when one of the three is there.
   std::string understood;         ///< "X has 4 vertices, Y 5, in the plane"; empty of JSON.
-  bool has_one_shape = false;     ///< That is its problem: the other one may be in a second file.
+  bool has_one_shape = false;     ///< Its problem: the other one may be in a second file.
 };
 
 /// All cases of a text; `file` names it in problems. A text without any is a problem, too. A case

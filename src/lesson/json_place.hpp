@@ -16,7 +16,7 @@ using JsonPath = std::vector<std::string>;
 [[nodiscard]] std::size_t skip_space(std::string_view text, std::size_t at);
 /// One past the value that begins at `at`, which need not be well-formed.
 [[nodiscard]] std::size_t skip_value(std::string_view text, std::size_t at);
-/// Where the value at `path` begins in a well-formed text.
+/// The beginning of the value at `path` in a well-formed text.
 [[nodiscard]] std::size_t find_value(std::string_view text, std::size_t at, const JsonPath& path);
 
 /// A number, or a string that holds one ("0.1", "0x1.8p-4", "nan"); nothing where it is neither.

@@ -150,7 +150,7 @@ struct Lesson {
   std::string source;
   std::string prose;    ///< May hold placeholders, {distance} and so on; see lesson/prose.hpp.
   std::string opening;  ///< Why the lesson is there: heads the words of the first frame.
-  std::string next;     ///< What the next lesson answers: ends the words of the last frame.
+  std::string next;     ///< A question for the next lesson; ends the last frame.
 
   std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.
   ScalarKind scalar = ScalarKind::double_;

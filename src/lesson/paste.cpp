@@ -321,7 +321,7 @@ struct List {
   std::vector<List> lists;
   // While it is read:
   std::size_t stray = kNowhere;  ///< The first thing with no place among numbers.
-  string_view word;              ///< That may name what follows,
+  string_view word;              ///< May name what follows,
   string_view label;             ///< and a word that does: before '=' or ':'.
   unsigned before = 0;
   bool is_counting = false;     ///< [f64; 2]

@@ -31,7 +31,7 @@ struct PastedPart {
 
 struct PastedShape {
   std::string file;
-  Place place;         ///< That of its first point,
+  Place place;         ///< The place of its first point,
   std::size_t at = 0;  ///< as an index of the text, too.
   int dimension = 2;
   std::vector<Eigen::Vector3d> points;  ///< Never empty; z = 0 in the plane.

@@ -17,7 +17,7 @@ struct VertexChoice {
   std::vector<std::string> vertices;
 };
 
-/// Where a reader points at a choice: a point of a view, or a segment.
+/// A place to point at for a choice: a point of a view, or a segment.
 struct Spot {
   ViewKind view = ViewKind::world;
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
@@ -32,7 +32,7 @@ struct FrameQuestion {
   std::string answer;                ///< The next frame that asks nothing tells it.
   /// The two to choose, in their order, if a choice is a pair, "K−A".
   std::vector<VertexChoice> pair = {};
-  std::vector<std::optional<Spot>> spots = {};  ///< Of the choices, in their order; or empty.
+  std::vector<std::optional<Spot>> spots = {};  ///< For the choices, in order; or empty.
   /// The place that is asked for, if it is one: an answer says how far off it is.
   std::optional<Eigen::Vector2d> place = {};
   std::string reason = {};  ///< The caption of the frame that tells, without the answer before it.

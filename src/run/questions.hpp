@@ -39,7 +39,7 @@ inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop};
 
 /// The closest point of X (or Y) is a single one, and there are others to choose from.
 [[nodiscard]] bool has_closest(const LessonRun& run, const Frame& frame, std::string_view ask);
-/// Where a question counts positions, that of `frame` is meant.
+/// A question that counts positions means that of `frame`.
 [[nodiscard]] bool is_at(const Frame& frame, const LessonQuestion& question);
 
 /// Puts before each frame that answers a question of the lesson the frame that asks it. What has

@@ -28,7 +28,7 @@ struct Answer {
   long version = 0;
   int run = 0;
   int step = 0;
-  /// Where the answer was pointed at, and the place that was asked for; if there is one.
+  /// The place that was pointed at, and the one that was asked for; if there is one.
   std::optional<Eigen::Vector2d> pointed = {};
   std::optional<Eigen::Vector2d> place = {};
   [[nodiscard]] bool is_right() const { return chosen == right; }

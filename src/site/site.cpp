@@ -203,7 +203,7 @@ class SiteWriter {
         rows);
   }
 
-  /// What `cmake --preset wasm` built.
+  /// The folder that `cmake --preset wasm` has filled.
   [[nodiscard]] fs::path program_folder() const {
     const fs::path installed = options_.share / "web";
     const fs::path built = options_.share / "build" / "wasm" / "web";

@@ -349,7 +349,7 @@ void Player::put_vertex(const Asked& asked) {
   change("type a value", lesson);
 }
 
-/// What a double click does: beside an edge it adds a vertex, elsewhere nothing.
+/// A double click: beside an edge it adds a vertex, elsewhere nothing.
 void Player::add_vertex(const Asked& asked) {
   const auto added = hand_.vertex_to_add(asked.point(), asked.json.contains("snaps"));
   if (!added || is_vertex(hand_.subject_at(asked.point()))) return;

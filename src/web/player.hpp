@@ -59,7 +59,7 @@ class Player {
                                      const Files& files);
   void change(const std::string& name, const Lesson& lesson);
 
-  // What is shown
+  // The frame that is shown
   [[nodiscard]] std::string shown(const std::string& understood = {});
   [[nodiscard]] std::string stage_svg(Picture stage) const;
   [[nodiscard]] Picture panel(const Frame& frame, double width);
@@ -74,11 +74,11 @@ class Player {
   Theme theme_;
   Session session_;
   Hand hand_;
-  std::optional<Lesson> opened_;  ///< What "reset" goes back to.
+  std::optional<Lesson> opened_;  ///< The lesson that "reset" goes back to.
   Files files_;                   ///< Files that the lesson names.
   Picture stage_;                 ///< As it is shown,
   Picture stage_before_;          ///< and as it was before that.
-  bool shows_depth_ = false;      ///< Where shapes overlap, in the last frame.
+  bool shows_depth_ = false;      ///< In the last frame of shapes that overlap.
   double panel_room_ = 368.0;
   double panel_width_ = 368.0;
   double timeline_width_ = 960.0;

@@ -1,4 +1,4 @@
-// What a player has to show: pictures, words and numbers of a frame.
+// The output of a player: pictures, words and numbers of a frame.
 
 #include <fmt/format.h>
 
@@ -94,7 +94,7 @@ Json numbers(const LessonRun& run, const Frame& frame) {
   return list;
 }
 
-/// What the run comes to.
+/// The outcome of the run.
 Json outcome(Session& session) {
   const LessonRun& run = session.run();
   const Frame& frame = session.frame();

@@ -192,7 +192,7 @@ TEST(Program, TheShareFolderCanBeGiven) {
   EXPECT_TRUE(holds(ran.err, empty.path().string()));
 }
 
-/// What a shell offers where a word is completed that follows `words`.
+/// The offers of a shell for the word that follows `words`.
 std::set<std::string> offered(const std::string& shell, const std::string& words) {
   const test::TemporaryFolder folder;
   const std::string file = std::string(GJKSCOPE_SOURCE_DIR) + "/packaging/completions/";

@@ -1,4 +1,4 @@
-// What is said of logs with one step that is wrong, by hand, and how long a long log takes.
+// Findings on logs with one step that is wrong, by hand, and how long a long log takes.
 
 #include "judge/judge.hpp"
 

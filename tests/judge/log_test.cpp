@@ -21,7 +21,7 @@ namespace log_test {
 
 namespace fs = std::filesystem;
 
-/// What `write` prints.
+/// The output of `write`.
 template <class Write>
 std::string written(const Write& write) {
   const test::TemporaryFolder folder;

@@ -111,7 +111,7 @@ TEST(Mistakes, EachIsNamedWithItsStep) {
   }
 }
 
-/// Of each mistake on random pairs: nothing else is blamed, and no wrong answer passes.
+/// Each mistake on random pairs: nothing else is blamed, and no wrong answer passes.
 TEST(Mistakes, NothingElseIsBlamedOnRandomPairs) {
   constexpr int kLeast = 20;  // wrong runs of a mistake, so that the claim means something
   for (const Blame& blame : kBlames) {
@@ -124,7 +124,7 @@ TEST(Mistakes, NothingElseIsBlamedOnRandomPairs) {
       if (family == Family::denormals) continue;
       const Polygon x = world(pair.x, pair.x_pose);
       const Polygon y = world(pair.y, pair.y_pose);
-      // Where O lies on the simplex the textbook's loop itself goes on for ever.
+      // With O on the simplex the textbook's loop itself goes on for ever.
       if (!judge(log_of(mistakes::loop("none").log_of(x, y))).right()) continue;
       const Judgement judgement = judge(log_of(mistakes::loop(blame.mistake).log_of(x, y)));
       SCOPED_TRACE(fmt::format("{}, pair {}: {}", blame.mistake, i, told(judgement)));
@@ -242,7 +242,7 @@ void expect_core_right(int count, int family_count, double most_units) {
     const auto pair = random.pair<double, D>(family);
     const Judgement judgement =
         judge(log_of_core<D>(world<D>(pair.x, pair.x_pose), world<D>(pair.y, pair.y_pose)));
-    // Of denormal numbers weights may be 0 / 0: exact arithmetic settles the core's answer.
+    // Weights of denormal numbers may be 0 / 0: exact arithmetic settles the core's answer.
     EXPECT_TRUE(family == Family::denormals ? !judgement.answer : judgement.right())
         << "pair " << i << ", " << families::kFamilyNames[static_cast<std::size_t>(family)] << ": "
         << told(judgement);

@@ -29,7 +29,7 @@ class Writer {
     std::free(text_);  // NOLINT(cppcoreguidelines-no-malloc): of open_memstream
   }
 
-  // What the loop tells.
+  // The notes of the loop.
   void simplex(const auto& simplex) {
     gjkscope_log_iteration(&log_);
     for (const auto& v : simplex) gjkscope_log_pair(&log_, "simplex", v.x, v.y);
@@ -74,7 +74,7 @@ inline constexpr int kCap = 64;
 
 struct Loop {
   std::string_view name;
-  std::string (*log_of)(const Polygon& x, const Polygon& y);  ///< Of its run.
+  std::string (*log_of)(const Polygon& x, const Polygon& y);  ///< The log of its run.
 };
 #define MISTAKE(name)                                    \
   Loop{#name, [](const Polygon& x, const Polygon& y) {   \

@@ -625,7 +625,7 @@ TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
     session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
     EXPECT_NEAR(5.0, session.views()[0].camera.height, 1e-9);
     EXPECT_EQ(Vector2d(1.0, -2.0), session.views()[0].camera.center);
-    // What is looked at does not change what is saved as the shapes.
+    // Looking elsewhere does not change the shapes that are saved.
     EXPECT_FALSE(session.is_unsaved());
   }
 }

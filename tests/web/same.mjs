@@ -1,4 +1,4 @@
-// What the program for browsers answers is, byte for byte, what a native one answers: pictures,
+// The program for browsers answers, byte for byte, as a native one does: pictures,
 // words, hex floats and traces of all lessons and the hard cases.
 // Usage: node same.mjs NATIVE_PLAYER GJKSCOPE
 import { execFileSync } from "node:child_process";

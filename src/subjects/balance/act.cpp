@@ -34,7 +34,7 @@ constexpr AskInfo kAskSinks{"sinks", "the end of the beam that sinks", "at posit
 constexpr AskInfo kAskBalance{"balance-point", "where the beam balances", "at position"};
 constexpr std::array kTimeAsks = {kAskSinks, kAskBalance};
 
-/// Which end sinks is told when the beam is let go, where it balances in the moment after that.
+/// The frame that lets the beam go tells which end sinks; the moment after it, where it balances.
 int time_answer(const LessonRun& run, const Frame&, const Frame& frame,
                 const LessonQuestion& question) {
   if (!is_at(frame, question)) return -1;

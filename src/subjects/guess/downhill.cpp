@@ -18,16 +18,16 @@ namespace {
 using Eigen::Vector2d;
 using namespace sizes;
 
-/// Where the walk turns; the first is its start.
+/// The turns of the walk; the first is its start.
 struct Stop {
   Vector2d at = Vector2d::Zero();
-  int edge = -1;  ///< That it came along; -1: straight.
+  int edge = -1;  ///< The edge that it came along; -1: straight.
 };
 
 constexpr int kMostStops = 12;
 constexpr double kStep = 1e-6;  // of the way to Q: far more than rounding, and nothing to see
 
-/// Where the straight way to q leaves the shape; nothing where it leaves at once.
+/// The point where the straight way to q leaves the shape; nothing where it leaves at once.
 std::optional<Vector2d> straight(const std::vector<Vector2d>& outline, const Vector2d& from,
                                  const Vector2d& q) {
   if (!is_inside(outline, from + kStep * (q - from))) return std::nullopt;
@@ -76,8 +76,8 @@ struct Walks {
   std::vector<Stop> on_outline;
   std::vector<Stop> on_hull;
   Vector2d q = Vector2d::Zero();
-  Vector2d closest = Vector2d::Zero();  ///< Of the outline.
-  int feature = 0;                      ///< That holds it: a vertex, or one after these, an edge.
+  Vector2d closest = Vector2d::Zero();  ///< A point of the outline.
+  int feature = 0;                      ///< Holds it: a vertex, or, counted on, an edge.
 };
 
 Walks walks_of(const LessonRun& run, const Frame& frame) {
@@ -104,7 +104,7 @@ Walks walks_of(const LessonRun& run, const Frame& frame) {
   return out;
 }
 
-/// What a frame shows: stops of the walk on the outline, then its closest point, then stops on the
+/// The frames: stops of the walk on the outline, then its closest point, then stops on the
 /// hull.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame) : value(walks_of(run, frame)) {

@@ -17,7 +17,7 @@ enum class MapStage {
   signs,
   blended,
   difference,
-  asked  ///< Of a question: both maps, and Q at a new place.
+  asked  ///< A question: both maps, and Q at a new place.
 };
 [[nodiscard]] std::optional<MapStage> map_stage(const LessonRun& run, const Frame& frame);
 

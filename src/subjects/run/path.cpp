@@ -21,7 +21,7 @@ Tick path_tick(const LessonRun& run, const Frame& frame) {
   return {.group = "region " + SimplexWords(run, run.state(frame).simplex).face(face)};
 }
 
-/// What a lesson shows can be asked.
+/// A lesson asks only about things that it shows.
 int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
                 const LessonQuestion& question) {
   const WideTrace& trace = run.run(frame).trace;
