@@ -313,7 +313,7 @@ void add_commands(CLI::App& app, Arguments& args) {
       "{\"distance\":...}, and, if it has them, \"overlap\":true or false, \"a\" and \"b\". "
       "Failures are\n"
       "  m missed overlap   i invented overlap   r relative error   p closest points   n NaN\n"
-      "  g gave up ({\"error\":...})   x no answer at all   s silence   c crash\n\n"
+      "  g gave up ({\"error\":...})   x nonsense   s silence   c crash\n\n"
       "Exit code 0: all is right; 1: a run or an answer is wrong; 3: a log cannot be read, or a\n"
       "program answers nothing.\n\n"
       "Examples:\n  gjkscope judge run.jsonl\n  my-program | gjkscope judge - --json\n"
