@@ -184,7 +184,7 @@ class SiteWriter {
 
   void write_about() {
     write_plain("about", "About · gjkscope", "Where these pages come from, and how to use them.",
-                {{"log", escape_html(read_whole(share_ / "src" / "gjkscope_log.h"))}});
+                {{"log", escape_html(read_whole(share_ / "src" / "judge" / "gjkscope_log.h"))}});
   }
 
   std::vector<fs::path> files() && { return std::move(files_); }

@@ -1,6 +1,6 @@
 /* A run as a C program writes it: gjkscope_log.h in C99. */
 
-#include "gjkscope_log.h"
+#include "judge/gjkscope_log.h"
 
 void gjkscope_write_c99_log(FILE* file, double distance);
 

@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 #include "base/file.hpp"
-#include "gjkscope_log.h"
+#include "judge/gjkscope_log.h"
 #include "judge/judge.hpp"
 #include "temporary_folder.hpp"
 
@@ -82,7 +82,7 @@ TEST(Header, WritesAnyNumberAndFlushesLines) {
 }
 
 TEST(Header, HasAtMost200Lines) {
-  const std::string text = read_whole(fs::path(GJKSCOPE_SOURCE_DIR) / "src/gjkscope_log.h");
+  const std::string text = read_whole(fs::path(GJKSCOPE_SOURCE_DIR) / "src/judge/gjkscope_log.h");
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 200);
 }
 

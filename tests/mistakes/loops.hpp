@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gjkscope_log.h"
+#include "judge/gjkscope_log.h"
 #include "mistakes/all.hpp"
 
 namespace mistakes {
