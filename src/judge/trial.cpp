@@ -307,6 +307,7 @@ FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& la
 
 std::string try_program(const TrialOptions& options,
                         const std::function<void(const FamilyTrial&)>& each) {
+  bool has_asked = false;
   for (const int dimension : {2, 3}) {
     if (options.dimension != 0 && options.dimension != dimension) continue;
     const int count = dimension == 2 ? families::kFamilyCount : families::kSpaceFamilyCount;
@@ -315,6 +316,7 @@ std::string try_program(const TrialOptions& options,
       const auto& wanted = options.families;
       if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end())
         continue;
+      has_asked = true;
       std::string last;
       const auto family = static_cast<Family>(i);
       const FamilyTrial trial =
@@ -327,7 +329,9 @@ std::string try_program(const TrialOptions& options,
                             : fmt::format("the program answers nothing: it {}", last);
     }
   }
-  return {};
+  return has_asked
+             ? ""
+             : fmt::format("no family that was named has pairs of dimension {}", options.dimension);
 }
 
 std::string faults_text(const FamilyTrial& trial) {

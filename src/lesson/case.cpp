@@ -447,8 +447,8 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 
 /// "4 vertices", or "1 outline and 1 hole of 9 vertices"; `short_form`: "4".
 std::string told(const PastedShape& shape, bool as_outlines, bool short_form) {
-  const std::string vertices = short_form ? fmt::format("{}", shape.points.size())
-                                          : counted(shape.points.size(), "vertex", "vertices");
+  std::string vertices = short_form ? fmt::format("{}", shape.points.size())
+                                    : counted(shape.points.size(), "vertex", "vertices");
   if (!as_outlines) return vertices;
   std::array<std::size_t, 3> count = {};
   for (const PastedPart& part : shape.parts) ++count[static_cast<std::size_t>(part.kind)];

@@ -60,8 +60,8 @@ void add_algorithm_frames(LessonRun& run, int index);
 /// The last step of an algorithm that is over when a frame ends; none at the start.
 template <class Step>
 [[nodiscard]] const Step* last_step_over(const std::vector<Step>& steps, const Frame& frame) {
-  const std::size_t over = std::min(static_cast<std::size_t>(frame.step + 1), steps.size());
-  return over == 0 ? nullptr : &steps[over - 1];
+  const int last = std::min(frame.step, static_cast<int>(steps.size()) - 1);
+  return last < 0 ? nullptr : &steps[static_cast<std::size_t>(last)];
 }
 /// The first step up to that of `frame` that tells what is asked for.
 [[nodiscard]] int answering_step_of_run(const LessonRun& run, const Frame& before,

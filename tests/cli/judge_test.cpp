@@ -95,6 +95,13 @@ TEST(JudgeProgram, OurOwnProgramFailsNowhere) {
     EXPECT_NE(std::string::npos, lines[i].find("| 40 | . |")) << lines[i];
 }
 
+TEST(JudgeProgram, AFamilyOfSpaceAloneIsNoneOfThePlane) {
+  const Ran ran = run_program("judge --program cat --family flat --dimension 2");
+  EXPECT_EQ(kCannot, ran.exit_code);
+  EXPECT_NE(std::string::npos, ran.err.find("no family that was named has pairs of dimension 2"))
+      << ran.err;
+}
+
 TEST(JudgeProgram, AFloatIsHeldToFloats) {
   const std::string options = " --family random --dimension 2 --pairs 100";
   const std::string program = "judge --program '" GJKSCOPE_BINARY " solve - --scalar float'";
