@@ -1,4 +1,4 @@
-// Findings on logs with one step that is wrong, by hand, and how long a long log takes.
+// Findings on logs with one step that is wrong, by hand, and on a long log.
 
 #include "judge/judge.hpp"
 
