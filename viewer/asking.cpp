@@ -54,7 +54,7 @@ std::vector<std::string> Asking::choices() {
   return question->pair[next_half()].vertices;
 }
 
-void Asking::answer(const std::string& choice, std::optional<Eigen::Vector2d> pointed) {
+void Asking::answer(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed) {
   forget();
   app_.session().grade(choice, pointed);
   app_.picture().hand().selected = {};

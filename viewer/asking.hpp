@@ -60,7 +60,7 @@ class Asking {
   void draw_way(ImDrawList& list, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   /// Another frame than when something was chosen last has nothing chosen yet.
   void follow();
-  void answer(const std::string& choice, std::optional<Eigen::Vector2d> pointed = {});
+  void answer(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// A click near the vertex, edge or place that stands for a choice.
   bool click_on_spot(const FrameQuestion& question, std::size_t view, const Eigen::Vector2d& at);
   /// A half of a pair; both make an answer.

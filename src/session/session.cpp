@@ -615,14 +615,14 @@ void Session::answer(const std::string& choice) {
   if (take(choice)) step(1);
 }
 
-void Session::grade(const std::string& choice, std::optional<Eigen::Vector2d> pointed) {
+void Session::grade(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed) {
   if (!take(choice, pointed)) return;
   const auto next = static_cast<std::size_t>(index_) + 1;
   picture_.reset();
   if (next < texts().size() && !texts()[next].question) step(1);
 }
 
-bool Session::take(const std::string& choice, std::optional<Eigen::Vector2d> pointed) {
+bool Session::take(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed) {
   const FrameQuestion* asked = question();
   if (!asked) return false;
   answers_.push_back({lesson_.id, text().iteration, asked->ask, asked->choices, choice,

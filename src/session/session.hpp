@@ -182,7 +182,7 @@ class Session {
   void answer(const std::string& choice);
   /// Takes the choice. Goes on where the next frame tells; where it asks something else, the
   /// verdict comes first. `pointed`: the place in the world that was pointed at.
-  void grade(const std::string& choice, std::optional<Eigen::Vector2d> pointed = {});
+  void grade(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// The answer that was given to the question of a frame; null where none was, or none was asked.
   [[nodiscard]] const Answer* given(int index) const;
   /// The words of this frame, with the verdict on answers to its question, or to those that it
@@ -247,7 +247,7 @@ class Session {
   };
 
   /// False when no question is open.
-  bool take(const std::string& choice, std::optional<Eigen::Vector2d> pointed = {});
+  bool take(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.
   std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Sight>> sights);
   /// With the cameras that `lesson` was seen with.

@@ -48,7 +48,8 @@ constexpr double kBelow = 0.85;  // for the title
 
 /// Lower left corner of a chapter's picture.
 Vector2d corner(int chapter) {
-  return {(chapter % kColumns) * (kWidth + kBetween), -(chapter / kColumns) * (kHeight + kBelow)};
+  const int row = chapter / kColumns;
+  return {(chapter % kColumns) * (kWidth + kBetween), -row * (kHeight + kBelow)};
 }
 
 /// The chapters that are told by a frame.
