@@ -21,7 +21,7 @@ namespace {
 
 std::size_t skip_space(std::string_view text, std::size_t at) {
   while (at < text.size() && is_space(text[at])) ++at;
-  return at;
+  return std::min(at, text.size());
 }
 
 std::size_t skip_value(std::string_view text, std::size_t at) {
