@@ -333,16 +333,10 @@ void PictureView::let_go() {
 void PictureView::double_click(const Point& page) {
   const std::optional<std::size_t> view = hand_.view_at(page);
   if (!view || session_.views()[*view].kind != ViewKind::world || is_vertex(hovered_)) return;
-  const std::optional<Hand::NewVertex> added = hand_.vertex_to_add(page, app_.snaps());
+  std::optional<Hand::WithVertex> added = hand_.with_vertex(page, app_.snaps());
   if (!added) return session_.fit();
-  Lesson lesson = session_.lesson();
-  if (lesson.bodies[added->body].vertices.size() >= edit::kMostEditable)
-    return app_.say(edit::too_many_to_edit());
-  const int index = edit::insert_vertex(
-      lesson, added->body, added->edge,
-      session_.run().run(session_.frame()).bodies[added->body].placement, added->at);
-  if (!app_.edit("add a vertex", std::move(lesson))) return;
-  hand_.selected = vertex_of(added->body, index);
+  if (!added->problem.empty()) return app_.say(added->problem);
+  if (app_.edit("add a vertex", std::move(added->lesson))) hand_.selected = added->vertex;
 }
 
 void PictureView::zoom(std::size_t view, const Point& page, double factor) {

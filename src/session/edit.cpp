@@ -115,11 +115,6 @@ void turn_shape(Lesson& lesson, std::size_t body, double degrees) {
   }
 }
 
-std::string too_many_to_edit() {
-  return fmt::format("shapes of {} vertices and more are not edited vertex by vertex",
-                     kMostEditable);
-}
-
 int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& placement,
                   const Vector2d& world) {
   const std::string name = free_name(lesson, body);

@@ -15,8 +15,6 @@ namespace gjkscope::edit {
 
 /// Polygons with more vertices are drawn, but vertices are neither added nor taken one by one.
 inline constexpr std::size_t kMostEditable = 256;
-/// The message about such polygons.
-[[nodiscard]] std::string too_many_to_edit();
 
 /// From the world to the frame of a shape that stands at `placement`.
 [[nodiscard]] Eigen::Vector2d to_local(const Placement& placement, const Eigen::Vector2d& world);

@@ -1,5 +1,7 @@
 #include "session/hand.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -134,7 +136,7 @@ std::vector<Mark> Hand::handle_marks() const {
           {"handle.arrow", turning_arrow(*at, 0.5 * kHandleRadius), -1, selected}};
 }
 
-std::optional<Hand::NewVertex> Hand::vertex_to_add(const Point& page, bool snaps) const {
+std::optional<Hand::WithVertex> Hand::with_vertex(const Point& page, bool snaps) const {
   const std::optional<std::size_t> view = view_at(page);
   if (!view || session_.views()[*view].kind != ViewKind::world) return std::nullopt;
   const Vector2d at = to_view(*view, page);
@@ -147,8 +149,18 @@ std::optional<Hand::NewVertex> Hand::vertex_to_add(const Point& page, bool snaps
   const bool is_x = of_x && (!of_y || of_x->distance < of_y->distance);
   const auto& edge = is_x ? of_x : of_y;
   if (!edge || edge->distance > reach) return std::nullopt;
+  const std::size_t body = is_x ? 0 : 1;
+  WithVertex added{shapes, {}, {}};
+  if (shapes.bodies[body].vertices.size() >= edit::kMostEditable) {
+    added.problem = fmt::format("shapes of {} vertices and more are not edited vertex by vertex",
+                                edit::kMostEditable);
+    return added;
+  }
   const Vector2d grid = snaps ? round_step(*view) : Vector2d::Zero();
-  return NewVertex{is_x ? std::size_t{0} : 1, edge->edge, snapped(at, grid)};
+  const int index = edit::insert_vertex(added.lesson, body, edge->edge, run.bodies[body].placement,
+                                        snapped(at, grid));
+  added.vertex = vertex_of(body, index);
+  return added;
 }
 
 bool Hand::press(const Subject& subject, const Point& page, double handle_slack) {

@@ -41,13 +41,14 @@ class Hand {
 
   // A new vertex
 
-  struct NewVertex {
-    std::size_t body = 0;
-    int edge = 0;        ///< It comes after this vertex.
-    Eigen::Vector2d at;  ///< In the world.
+  struct WithVertex {
+    Lesson lesson;
+    Subject vertex;       ///< The new one.
+    std::string problem;  ///< Why the lesson stays as it is; empty where it does not.
   };
-  /// The one that a double click adds beside an edge of X or Y in the world; nothing elsewhere.
-  [[nodiscard]] std::optional<NewVertex> vertex_to_add(const Point& page, bool snaps) const;
+  /// The lesson with the vertex that a double click adds beside an edge of X or Y in the world;
+  /// nothing elsewhere.
+  [[nodiscard]] std::optional<WithVertex> with_vertex(const Point& page, bool snaps) const;
 
   // Drags
 

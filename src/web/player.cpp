@@ -351,16 +351,11 @@ void Player::put_vertex(const Asked& asked) {
 
 /// A double click: beside an edge it adds a vertex, elsewhere nothing.
 void Player::add_vertex(const Asked& asked) {
-  const auto added = hand_.vertex_to_add(asked.point(), asked.json.contains("snaps"));
+  const auto added = hand_.with_vertex(asked.point(), asked.json.contains("snaps"));
   if (!added || is_vertex(hand_.subject_at(asked.point()))) return;
-  Lesson lesson = session_.lesson();
-  if (lesson.bodies[added->body].vertices.size() >= edit::kMostEditable)
-    throw std::runtime_error(edit::too_many_to_edit());
-  const int index = edit::insert_vertex(
-      lesson, added->body, added->edge,
-      session_.run().run(session_.frame()).bodies[added->body].placement, added->at);
-  change("add a vertex", lesson);
-  hand_.selected = vertex_of(added->body, index);
+  if (!added->problem.empty()) throw std::runtime_error(added->problem);
+  change("add a vertex", added->lesson);
+  hand_.selected = added->vertex;
 }
 
 /// Moves a vertex, or the shape where `index` is -1, by pixels of the first view of the world: what

@@ -59,14 +59,16 @@ TEST_F(HandTest, BesideAnEdgeThereIsAVertexToAdd) {
   open("polygons-gjk");
   const std::vector<Eigen::Vector3d>& world = session.run().run(session.frame()).y().world;
   const Vector2d middle = 0.5 * (in_plane(world[0]) + in_plane(world[1]));
-  const auto added = hand.vertex_to_add(at(middle), false);
+  const auto added = hand.with_vertex(at(middle), false);
   ASSERT_TRUE(added);
-  EXPECT_EQ(added->body, 1u);
-  EXPECT_EQ(added->edge, 0);
-  EXPECT_LT((added->at - middle).norm(), 1e-9);
-  EXPECT_FALSE(hand.vertex_to_add(at(middle_of_y()), false)) << "far from all edges";
-  EXPECT_FALSE(hand.vertex_to_add(at(middle, 1), false))
-      << "the difference has no edges of its own";
+  EXPECT_TRUE(added->problem.empty());
+  EXPECT_EQ(added->vertex, vertex_of(1, 1));
+  ASSERT_EQ(added->lesson.y().vertices.size(), y().size() + 1);
+  const Lesson& changed = added->lesson;
+  const Placement placed = session.run().run(session.frame()).y().placement;
+  EXPECT_LT((changed.y().vertices[1] - edit::to_local(placed, middle)).norm(), 1e-9);
+  EXPECT_FALSE(hand.with_vertex(at(middle_of_y()), false)) << "far from all edges";
+  EXPECT_FALSE(hand.with_vertex(at(middle, 1), false)) << "the difference has no edges of its own";
 }
 
 TEST_F(HandTest, AVertexGoesWhereTheHandGoes) {
