@@ -20,7 +20,7 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   const auto& steps = run.run(frame).trace.steps;
   const WideStep& step = run.step(frame);
   facts.phase = step.phase;
-  facts.steps_over = at + 1;
+  facts.steps = at + 1;
   if (facts.phase_is(Phase::closest)) facts.region_tests = step.record.region_tests;
   facts.tests_reached = static_cast<int>(facts.region_tests.size()) - 1;
   // P is found by a step that measures or uses it.
@@ -34,7 +34,7 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   facts.is_at_query = facts.closest_point && step.after.p_sq == 0.0;
   facts.direction = facts.phase_is(Phase::direction) || facts.support;
   facts.support_calls = static_cast<int>(
-      std::count_if(steps.begin(), steps.begin() + facts.steps_over,
+      std::count_if(steps.begin(), steps.begin() + facts.steps,
                     [](const auto& each) { return each.phase == Phase::support; }));
   return facts;
 }

@@ -19,7 +19,7 @@ struct KnownFacts {
   std::span<const gjk::RegionTest<double>> region_tests;  ///< Tests of a closest-point step.
   bool gradual = false;                                   ///< Frames show them one by one.
   int tests_reached = -1;                                 ///< Index of the last one shown.
-  int steps_over = 0;                                     ///< When the frame ends.
+  int steps = 0;                                          ///< GJK's, when the frame ends.
   int support_calls = 0;                                  ///< Up to here.
 
   [[nodiscard]] bool phase_is(gjk::Phase of) const { return phase == of; }

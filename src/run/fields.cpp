@@ -159,20 +159,21 @@ std::string text(const Json& document, std::string_view name, const Json& trace)
   if (trace.contains("refused"))
     return fmt::format("\n{}\n", name) + line("refused", values.any(trace["refused"]));
   std::string out;
-  Json result = trace;
   int iteration = 0;
-  for (Json step : trace.value("steps", Json::array())) {
-    if (out.empty() || step["iteration"] != iteration)
-      out += fmt::format("\n{}, iteration {}\n", name, step["iteration"].get<int>());
-    iteration = step["iteration"];
-    const std::string phase = step["phase"];
-    step.erase("phase");
-    step.erase("iteration");
-    out += line(phase, values.any(step));
+  if (trace.contains("steps")) {
+    for (Json step : trace["steps"]) {
+      if (out.empty() || step["iteration"] != iteration)
+        out += fmt::format("\n{}, iteration {}\n", name, step["iteration"].get<int>());
+      iteration = step["iteration"];
+      const std::string phase = step["phase"];
+      step.erase("phase");
+      step.erase("iteration");
+      out += line(phase, values.any(step));
+    }
   }
-  result.erase("steps");
   out += fmt::format("\n{}, result\n", name);
-  for (const auto& [key, value] : result.items()) {
+  for (const auto& [key, value] : trace.items()) {
+    if (key == "steps") continue;
     const bool is_table =
         value.is_array() && !value.empty() && value[0].is_object() && !value[0].contains("hex");
     std::string label = words(key);

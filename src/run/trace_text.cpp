@@ -56,9 +56,9 @@ class RunText {
     return fmt::format("{}", fmt::join(list, " "));
   }
   static std::string face(const Json& simplex, const Json& indices) {
-    Json vertices = Json::array();
-    for (const std::size_t index : indices) vertices.push_back(simplex[index]);
-    return names(vertices);
+    std::vector<std::string> list;
+    for (const std::size_t index : indices) list.push_back(words(simplex[index]["name"]));
+    return fmt::format("{}", fmt::join(list, " "));
   }
 
   [[nodiscard]] std::string weights(const Json& simplex) const {

@@ -1,13 +1,10 @@
 // A map of the course: a picture for each chapter, and what each of them makes use of.
 
-#include "picture/act.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 
-#include "picture/scene.hpp"
-#include "picture/story.hpp"
+#include "subjects/guess/subject.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope::maps_of_course {
@@ -55,13 +52,7 @@ Vector2d corner(int chapter) {
 /// The chapters that are told by a frame.
 int told(const Frame& frame) { return frame.part; }
 
-void frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
-  for (int i = 0; i <= kChapters; ++i)
-    run.frames.push_back({.run = index, .step = last, .part = i});
-}
-
-void knows(const Frame&, KnownFacts& facts) { facts = {}; }
+void frames(LessonRun& run, int index) { guesses::add_part_frames(run, index, kChapters + 1); }
 
 Tick tick(const LessonRun&, const Frame& frame) {
   const int chapter = told(frame);
@@ -111,11 +102,6 @@ void words(const Story& story, FrameText& text) {
   const Chapter& told = kCourse[static_cast<std::size_t>(chapter) - 1];
   text.caption = told.caption;
   text.detail = told.detail;
-}
-
-void values(const Story& story, FrameText& text) {
-  text.values.emplace_back("x", story.run.lesson.x().name);
-  text.values.emplace_back("y", story.run.lesson.y().name);
 }
 
 /// Draws in the lower left corner of a chapter's picture.
@@ -218,14 +204,14 @@ const Act kAct{
     .asks = kAsks,
     .answering_step = answering_step,
     .algorithm = &kGjkAlgorithm,
-    .knows = knows,
+    .knows = guesses::knows_nothing,
     .position = position_in_lesson,
     .tick = tick,
     .words = words,
     .stage = stage,
     .reach = reach,
     .question = question,
-    .values = values,
+    .values = guesses::values,
 };
 
 }  // namespace

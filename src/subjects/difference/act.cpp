@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "outlines/minkowski.hpp"
 #include "outlines/polygon.hpp"
 #include "run/questions.hpp"
 #include "subjects/difference/subject.hpp"
@@ -73,28 +74,23 @@ constexpr std::array kPairsAsks = {kAskInside, asks::kClosestX, asks::kClosestY}
 
 /// The hull of all differences, and the difference deepest inside: -1 where none is inside.
 struct Inside {
-  std::vector<gjk::VertexPair> pairs;
+  std::vector<CloudPoint> cloud;
   std::vector<int> hull;
   int deepest = -1;
 };
 
 Inside inside_of(const PositionedRun& run) {
   Inside out;
+  out.cloud = minkowski_cloud(in_plane(run.x().world), in_plane(run.y().world));
   std::vector<Eigen::Vector2d> points;
-  for (int x = 0; x < static_cast<int>(run.x().world.size()); ++x) {
-    for (int y = 0; y < static_cast<int>(run.y().world.size()); ++y) {
-      points.push_back(in_plane(run.y().world[y]) - in_plane(run.x().world[x]));
-      out.pairs.push_back({x, y});
-    }
-  }
+  for (const CloudPoint& each : out.cloud) points.push_back(each.z);
   out.hull = convex_hull(points);
   double most = 0.01 * (points[out.hull.back()] - points[out.hull.front()]).norm();
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
     double depth = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < out.hull.size(); ++k) {
       const Eigen::Vector2d& to = points[out.hull[(k + 1) % out.hull.size()]];
-      const Eigen::Vector2d on_edge = closest_on_segment(points[i], points[out.hull[k]], to);
-      depth = std::min(depth, (on_edge - points[i]).norm());
+      depth = std::min(depth, segment_distance(points[i], points[out.hull[k]], to));
     }
     if (depth <= most) continue;
     most = depth;
@@ -119,12 +115,12 @@ void pairs_question(const Story& story, FrameText& text) {
   if (ask != kAskInside.name) return captions::closest_question(story, text);
   const Inside inside = inside_of(story.positioned);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
-  asked.answer = story.run.pair_name(inside.pairs[inside.deepest]);
+  asked.answer = story.run.pair_name(inside.cloud[inside.deepest].pair);
   asked.choices = {asked.answer};
   constexpr std::size_t kVertices = 3;
   for (std::size_t k = 0; k < kVertices; ++k) {
     asked.choices.push_back(
-        story.run.pair_name(inside.pairs[inside.hull[k * inside.hull.size() / kVertices]]));
+        story.run.pair_name(inside.cloud[inside.hull[k * inside.hull.size() / kVertices]].pair));
   }
   std::sort(asked.choices.begin(), asked.choices.end());
   text.caption = "Question: Z will be the hull of these points. Which of them is no vertex of Z?";

@@ -183,11 +183,11 @@ void shape(SceneBuilder& scene, std::size_t body) {
     }
     scene.outline(corners);
   }
-  const bool has_gjk = !scene.run.act->algorithm->takes_outlines;
-  const double radius = has_gjk || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
+  const bool counts_hulls = !scene.run.act->algorithm->takes_outlines;
+  const double radius = counts_hulls || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
   const std::vector<bool> seen = in_sight(scene, vertices);
   std::vector<Named> named(world.size(), world.size() <= kMostLabels ? Named::yes : Named::no);
-  if (has_gjk) named = names_of_vertices(scene, body, seen, radius > 0.0);
+  if (counts_hulls) named = names_of_vertices(scene, body, seen, radius > 0.0);
   const Point* last = nullptr;  // that has a disk
   for (std::size_t i = 0; i < world.size(); ++i) {
     const bool touches = last != nullptr && (vertices[i] - *last).norm() < 2.0 * radius + 0.5;

@@ -58,7 +58,7 @@ void support_stage(SceneBuilder& scene) {
 
 void support_knows(const Frame& frame, KnownFacts& facts) {
   facts.whole_support = frame.part == static_cast<int>(SupportPart::of_z);
-  facts.steps_over = facts.whole_support ? frame.step + 1 : frame.step;
+  facts.steps = facts.whole_support ? frame.step + 1 : frame.step;
 }
 
 constexpr std::array kSupportAsks = {asks::kSupport};

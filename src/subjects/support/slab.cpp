@@ -10,7 +10,8 @@ EffectKey BestSupport::key(const LessonRun& run, const Frame& frame) {
 
 BestSupport::Value BestSupport::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   Value widest;
-  for (int i = 0; i <= run.gjk_step(frame); ++i) {
+  const int last = run.gjk_step(frame);
+  for (int i = 0; i <= last; ++i) {
     const WideStep& step = run.run(frame).trace.steps[i];
     const WideState& state = step.after;
     if (step.phase != gjk::Phase::support || !(state.d.norm() > 0.0)) continue;

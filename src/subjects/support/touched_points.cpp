@@ -13,7 +13,7 @@ EffectKey TouchedPoints::key(const LessonRun& run, const Frame& frame) {
 
 TouchedPoints::Value TouchedPoints::compute(EffectGraph& graph, const LessonRun& run,
                                             const Frame& frame) {
-  const int over = graph.get<FrameFacts>(frame).steps_over;
+  const int over = graph.get<FrameFacts>(frame).steps;
   const WideTrace& trace = run.run(frame).trace;
   Value touched;
   const auto touch = [&](const WideVertex& point) {
