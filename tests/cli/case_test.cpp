@@ -205,10 +205,8 @@ TEST(Case, MutatedTextsAreReadOrRefusedNeverHalf) {
 TEST(Case, MayEndAfterEachLetter) {
   const std::string text = R"([{"name": "n1", "a": [[0, 1], [2, 3]], "b": [[4, 5.5e0]]}])";
   for (std::size_t size = 0; size < text.size(); ++size) {
-    for (const std::size_t begin : {0u, 1u}) {
-      const std::vector<ReadCase> cases = parse_cases(text.substr(begin, size), "f");
-      for (const ReadCase& read : cases) EXPECT_FALSE(read.problems.empty()) << size;
-    }
+    const std::vector<ReadCase> cases = parse_cases(text.substr(0, size), "f");
+    for (const ReadCase& read : cases) EXPECT_FALSE(read.problems.empty()) << size;
   }
 }
 
