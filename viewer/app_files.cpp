@@ -20,6 +20,7 @@
 #include "lesson/save.hpp"
 #include "session/edit.hpp"
 #include "subjects/subjects.hpp"
+#include "subjects/two_runs/log_lesson.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
@@ -123,7 +124,8 @@ void App::open_exported(const fs::path& file) {
 
 App::ReadLesson App::read_lesson(std::string_view text, const fs::path& file) const {
   if (file.extension() == ".json") return read_case(text, file.string());
-  LoadedLesson loaded = parse_lesson(text, file, vocabulary());
+  std::optional<LoadedLesson> log = log_as_lesson(text, file);
+  LoadedLesson loaded = log ? *std::move(log) : parse_lesson(text, file, vocabulary());
   return {std::move(loaded.lesson), std::move(loaded.problems)};
 }
 

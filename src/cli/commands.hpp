@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "export/export.hpp"
-#include "judge/trial.hpp"
+#include "trial/trial.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
 #include "outlines/outline.hpp"

@@ -11,6 +11,7 @@
 #include "base/file.hpp"
 #include "lesson/paste.hpp"
 #include "subjects/subjects.hpp"
+#include "subjects/two_runs/log_lesson.hpp"
 
 namespace gjkscope {
 namespace {
@@ -59,7 +60,9 @@ std::optional<fs::path> lesson_file(const Environment& env, const std::string& n
 FoundLesson find_lesson(const Environment& env, const std::string& name) {
   const std::optional<fs::path> file = lesson_file(env, name);
   if (!file) return {std::nullopt, is_path(name) ? kCannot : kUsage};
-  LoadedLesson loaded = load_lesson(*file, vocabulary());
+  std::optional<LoadedLesson> log;
+  if (file->extension() != ".toml") log = log_as_lesson(read_whole(*file), *file);
+  LoadedLesson loaded = log ? *std::move(log) : load_lesson(*file, vocabulary());
   for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
   const int exit_code = loaded.lesson ? kDone : kProblem;
   return {std::move(loaded.lesson), exit_code};

@@ -7,7 +7,7 @@
 
 #include "base/file.hpp"
 #include "cli/input.hpp"
-#include "judge/trial.hpp"
+#include "trial/trial.hpp"
 #include "lesson/case.hpp"
 #include "lesson/save.hpp"
 #include "run/run.hpp"

@@ -248,6 +248,7 @@ struct PageWriter {
 
 /// One view of the lesson: its scenes, and the labels' memory.
 struct LessonPictures::View {
+  std::size_t index;  ///< Among the lesson's views.
   ShownView shown;
   LessonView of;
   LabelPlacer placer;
@@ -380,7 +381,8 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
     }
     const auto made = [&](const Rect& on, const Camera& seen_by) {
       const Rect inner{on.min + Point(4, 4), on.max - Point(4, 4)};
-      return View{{on, view.kind, seen_by},
+      return View{i,
+                  {on, view.kind, seen_by},
                   view,
                   LabelPlacer(fonts_, inner),
                   std::vector<std::optional<Scene>>(run_.frames.size())};
@@ -413,9 +415,16 @@ const Scene& LessonPictures::scene(View& view, std::size_t index) {
   std::optional<Scene>& scene = view.scenes[index];
   if (!scene) {
     const double farthest = view.is_close_up ? HUGE_VAL : StageMap::kFarthest;
-    scene = stage_scene(run_, effects_, run_.frames[index], view.of,
-                        StageMap(view.shown.card, view.shown.camera, farthest), fonts_,
-                        view.still_layers);
+    const StageMap map(view.shown.card, view.shown.camera, farthest);
+    const Frame& frame = run_.frames[index];
+    FrameInView in{&run_, &effects_, frame};
+    if (run_.act->in_view != nullptr) in = run_.act->in_view(run_, effects_, frame, view.index);
+    scene = stage_scene(*in.run, *in.effects, in.frame, view.of, map, fonts_, view.still_layers);
+    if (in.adds != nullptr) {
+      SceneBuilder more(run_, effects_, frame, view.of, map);
+      in.adds(more);
+      scene->append(more.out);
+    }
     if (view.is_close_up) scene->marks = cut(scene->marks, view.shown.card);
     if (view.close_up) view.tell_close_up(*scene);
   }

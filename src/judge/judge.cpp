@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "exact/instances.hpp"
@@ -141,15 +142,6 @@ bool turns_both_ways(const std::vector<Point>& polygon) {
   return left && right;
 }
 
-std::string number(double value) { return fmt::format("{:.10g}", value); }
-
-/// An iteration, with what follows from the lines around it.
-struct Step {
-  Pairs simplex;  ///< Empty where it is not known.
-  Pairs kept;
-  std::optional<VertexPair> support;
-};
-
 class Judge {
  public:
   explicit Judge(const Log& log)
@@ -171,6 +163,7 @@ class Judge {
     check_answer();
     if (!out_.wrong && (out_.answer || !log_.answer)) check_early_stop();
     if (!out_.wrong && !out_.waste) check_late_stop();
+    out_.steps = std::move(steps_);
     return std::move(out_);
   }
 
@@ -213,18 +206,24 @@ class Judge {
   }
 
   // Names and numbers as sentences have them.
+  [[nodiscard]] std::string number(double value) const {
+    return fmt::format("{:.{}g}", value, log_.digits);
+  }
   [[nodiscard]] std::string x_name(int i) const {
+    if (!log_.x_names.empty()) return log_.x_names[static_cast<std::size_t>(i)];
     return fmt::format("{}{}", log_.a_is_x ? 'a' : 'b', i);
   }
   [[nodiscard]] std::string y_name(int i) const {
+    if (!log_.y_names.empty()) return log_.y_names[static_cast<std::size_t>(i)];
     return fmt::format("{}{}", log_.a_is_x ? 'b' : 'a', i);
   }
   [[nodiscard]] std::string name(const VertexPair& pair) const {
     return y_name(pair.y) + " - " + x_name(pair.x);
   }
   [[nodiscard]] std::string shown(const Point& p) const {
-    return log_.dimension == 2 ? fmt::format("({:.10g}, {:.10g})", p[0], p[1])
-                               : fmt::format("({:.10g}, {:.10g}, {:.10g})", p[0], p[1], p[2]);
+    return log_.dimension == 2
+               ? fmt::format("({}, {})", number(p[0]), number(p[1]))
+               : fmt::format("({}, {}, {})", number(p[0]), number(p[1]), number(p[2]));
   }
   [[nodiscard]] std::string shown(const Vertex& p) const {
     return shown(Point(to_double(p[0]), to_double(p[1]), to_double(p[2])));

@@ -37,6 +37,13 @@ enum class Part : std::uint8_t {
   answer,     ///< The distance, the overlap and the closest points.
 };
 
+/// An iteration, with what follows from the lines around it.
+struct Step {
+  std::vector<gjk::VertexPair> simplex;  ///< Empty where it is not known.
+  std::vector<gjk::VertexPair> kept;
+  std::optional<gjk::VertexPair> support;
+};
+
 struct Finding {
   Part part = Part::vertex;
   int iteration = 0;  ///< From 1; 0 for the answer.
@@ -54,6 +61,7 @@ struct Judgement {
   double rounding = 0;             ///< The largest error that is explained, in units u L.
   std::optional<Finding> rounded;  ///< The step that has it.
   bool cut_off = false;            ///< The log's last line does not end.
+  std::vector<Step> steps;         ///< Up to the first that does not fit.
   [[nodiscard]] bool right() const { return !wrong && !answer; }
 };
 

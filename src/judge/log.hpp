@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,11 @@ struct Log {
   std::vector<Iteration> iterations;
   std::optional<Answer> answer;
   bool cut_off = false;  ///< The last line was left out, because it does not end.
+
+  // How findings write it.
+  std::vector<std::string> x_names;  ///< Of the vertices; empty: "a0", "a1", ...
+  std::vector<std::string> y_names;
+  int digits = 10;
 };
 
 /// A log, or problems.

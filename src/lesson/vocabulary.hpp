@@ -23,6 +23,7 @@ struct Story;
 struct FrameText;
 struct SceneBuilder;
 class Fonts;
+class EffectGraph;
 
 /// Whether a table [path] goes with an act.
 enum class PathUse { refused, possible, needed };
@@ -40,6 +41,14 @@ struct ActNeeds {
 
   /// The tables that must be there, "path" among them.
   [[nodiscard]] std::vector<std::string_view> required_tables() const;
+};
+
+/// A frame of another run, which a view shows in place of the lesson's.
+struct FrameInView {
+  const LessonRun* run = nullptr;
+  EffectGraph* effects = nullptr;
+  Frame frame;
+  void (*adds)(SceneBuilder& scene) = nullptr;  ///< Draws over it what the lesson's frame adds.
 };
 
 /// A question that frames of an act can ask.
@@ -91,6 +100,9 @@ struct Act {
   void (*question)(const Story& story, FrameText& text) = nullptr;
   /// The values that prose can name and the sidecar file lists; nullptr: those of a run of GJK.
   void (*values)(const Story& story, FrameText& text) = nullptr;
+  /// Only of an act whose views show runs of their own. `view` counts the lesson's views.
+  FrameInView (*in_view)(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                         std::size_t view) = nullptr;
   /// Draws a view all by itself; false where layers do. Only of an act with a plot.
   bool (*fill)(SceneBuilder& scene, const Fonts& fonts) = nullptr;
   /// The title of a plot that the lesson does not name.

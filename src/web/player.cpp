@@ -16,6 +16,7 @@
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "subjects/subjects.hpp"
+#include "subjects/two_runs/log_lesson.hpp"
 #include "web/json.hpp"
 
 namespace gjkscope {
@@ -246,6 +247,14 @@ std::string Player::open_case(const Asked& asked) {
   const std::string text = asked.text("text");
   const std::string name = asked.text("name");
   check_length(text, name);
+  if (const std::optional<LoadedLesson> log = log_as_lesson(text, name)) {
+    if (!log->lesson) throw std::runtime_error(to_string(log->problems));
+    files_[std::filesystem::path(name).filename().string()] = text;
+    change("open a log", *log->lesson);
+    session_.fit();
+    session_.go_to(0);
+    return log->lesson->title;
+  }
   const std::vector<ReadCase> cases =
       parse_cases(text, name, 2, std::nullopt, CaseLimits::of_lessons());
   if (!cases.front().value) throw std::runtime_error(to_string(cases.front().problems));

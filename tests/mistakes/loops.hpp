@@ -1,5 +1,5 @@
 #pragma once
-// The loops of mistakes.cmake, and the logs that they write.
+// The loops of src/mistakes, and the logs that they write by gjkscope_log.h.
 
 #include <cstdio>
 #include <cstdlib>
@@ -76,7 +76,7 @@ struct Loop {
   std::string_view name;
   std::string (*log_of)(const Polygon& x, const Polygon& y);  ///< The log of its run.
 };
-#define MISTAKE(name)                                    \
+#define MISTAKE(name, file_name, meaning, line, by)      \
   Loop{#name, [](const Polygon& x, const Polygon& y) {   \
          Writer log(x, y);                               \
          return log.ended(::name::gjk(x, y, kCap, log)); \

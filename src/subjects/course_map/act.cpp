@@ -19,7 +19,7 @@ struct Chapter {
   std::string_view detail;
 };
 
-constexpr int kChapters = 7;
+constexpr int kChapters = 8;
 constexpr int kColumns = 4;
 constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Point to segment", "Chapter 1: which point of a segment is closest to Q?",
@@ -36,6 +36,9 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
      "Needles, shapes far away, shapes that touch: where programs answered wrongly, and why."},
     {"Features and general models", "Chapter 7: shapes that move, and shapes that are not convex.",
      "Walking from feature to feature, cutting into convex pieces, trees of boxes and circles."},
+    {"Mistakes",
+     "Chapter 8: what goes wrong in programs, and how to find the step that is to blame.",
+     "Loops with one wrong line run beside the right one until the two part."},
 }};
 
 constexpr double kWidth = 3.6;
@@ -156,6 +159,11 @@ void picture(SceneBuilder& scene, int chapter) {
       tile.shape("shape.y", {{1.4, 1.4}, {2.0, 1.3}, {1.8, 1.9}});
       return tile.way(2.0, 1.3, 2.0, 0.9);
     }
+    case 7:
+      scene.line("shape", tile.at(0.6, 0.5), tile.at(3.0, 0.9));
+      scene.line("guess.way", tile.at(1.4, 1.9), tile.at(3.0, 0.9));
+      tile.way(1.4, 1.9, 1.607, 0.668);
+      return tile.query(1.4, 1.9);
     default:  // the lesson's own shapes
       return;
   }

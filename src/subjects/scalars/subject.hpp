@@ -1,6 +1,9 @@
 #pragma once
 // The same run in other scalars: what the files of this folder define.
 
+#include <array>
+#include <string>
+
 #include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
@@ -11,6 +14,16 @@ namespace gjkscope {
 namespace blocks {
 extern const Block kScalars;
 extern const Block kTwoRuns;
+
+/// A run, and its state at the frame.
+struct RunColumn {
+  std::string title;
+  const PositionedRun& run;
+  const WideState* state;  ///< Null where the run has no step beside the frame's.
+  Numbers numbers;
+};
+/// What the panel's frame knows of two runs: their numbers, and where they differ.
+void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns);
 }  // namespace blocks
 
 namespace layers {

@@ -16,15 +16,6 @@ namespace {
 using gjk::Phase;
 using namespace rows;
 
-/// One column: a run, and its state at the frame.
-struct Column {
-  std::string title;
-  double x = 0.0;  ///< Right edge.
-  const PositionedRun& run;
-  const WideState* state;  ///< Null where the run has no step beside the frame's.
-  Numbers numbers;
-};
-
 /// Two numbers that differ, with as many digits as that takes.
 std::array<std::string, 2> told_apart(const std::array<double, 2>& numbers) {
   std::array<std::string, 2> texts;
@@ -50,24 +41,15 @@ std::string without_middle(std::string text, const std::function<bool(const std:
   return shown;
 }
 
-void two_runs(PanelBuilder& panel) {
-  const Lesson& lesson = panel.run.lesson;
-  const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
-  const WideStep* beside = step_beside(second, panel.run, panel.frame);
-  const PositionedRun& first = panel.run.run(panel.frame);
-  const WideState* state = panel.knows.phase ? &panel.state : nullptr;
-  Lesson other = lesson;
-  other.scalar = *lesson.beside;
-  const double half = 0.5 * (panel.right - panel.left - 62.0);
-  const std::array<Column, 2> columns = {
-      Column{std::string(name_of(lesson.scalar)), panel.left + 62.0 + half, first, state,
-             panel.numbers},
-      Column{std::string(name_of(*lesson.beside)), panel.right, second.run,
-             beside ? &beside->after : nullptr, Numbers(other)}};
+}  // namespace
 
+void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns) {
+  constexpr double kNames = 62.0;
+  const double half = 0.5 * (panel.right - panel.left - kNames);
+  const std::array<double, 2> rights = {panel.left + kNames + half, panel.right};
   panel.write("heading", panel.left, "Two runs", type::kHeading);
-  for (const Column& column : columns)
-    panel.write("heading", column.x, column.title, type::kHeading, Align::right);
+  for (int i = 0; i < 2; ++i)
+    panel.write("heading", rights[i], columns[i].title, type::kHeading, Align::right);
   panel.y += kRow + 2.0;
 
   const auto known = [&](Phase since) {
@@ -108,41 +90,54 @@ void two_runs(PanelBuilder& panel) {
     }
     for (int i = 0; i < 2; ++i) {
       const char* const role = !differ ? "code" : i == 0 ? "fail" : "pass";
-      panel.write(role, columns[i].x, texts[i], differ ? type::kCodeBold : type::kCode,
-                  Align::right);
-      if (differ && both) underline(role, columns[i].x, texts[i], texts[1 - i]);
+      panel.write(role, rights[i], texts[i], differ ? type::kCodeBold : type::kCode, Align::right);
+      if (differ && both) underline(role, rights[i], texts[i], texts[1 - i]);
     }
     panel.y += kRow;
   };
   const auto coordinate = [&](const std::string& name, Phase since, auto vector, int axis) {
     row(
-        name, known(since), [&](const Column& column) -> double { return vector(column)[axis]; },
-        [](const Column& column, double value) { return column.numbers(value); });
+        name, known(since), [&](const RunColumn& column) -> double { return vector(column)[axis]; },
+        [](const RunColumn& column, double value) { return column.numbers(value); });
   };
   // A point query's difference is the polygon seen from Q.
-  const auto p = [&](const Column& column) {
+  const auto p = [&](const RunColumn& column) {
     return panel.run.point_query() ? Eigen::Vector3d(column.state->p + column.run.x().world[0])
                                    : column.state->p;
   };
-  const auto d = [](const Column& column) { return column.state->d; };
+  const auto d = [](const RunColumn& column) { return column.state->d; };
   coordinate("P.x", Phase::closest, p, 0);
   coordinate("P.y", Phase::closest, p, 1);
   coordinate("d.x", Phase::direction, d, 0);
   coordinate("d.y", Phase::direction, d, 1);
-  row("towards", known(Phase::direction), d, [](const Column&, const Eigen::Vector3d& along) {
+  row("towards", known(Phase::direction), d, [](const RunColumn&, const Eigen::Vector3d& along) {
     return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
   });
-  const auto as_it_is = [](const Column&, const std::string& text) { return text; };
+  const auto as_it_is = [](const RunColumn&, const std::string& text) { return text; };
   row(
       "support", known(Phase::support),
-      [&](const Column& column) { return panel.run.pair_name(column.state->support.pair); },
+      [&](const RunColumn& column) { return panel.run.pair_name(column.state->support.pair); },
       as_it_is);
   row(
       "stops", known(Phase::stop),
-      [](const Column& column) {
+      [](const RunColumn& column) {
         return std::string(column.state->stop == gjk::StopReason::running ? "no" : "yes");
       },
       as_it_is);
+}
+
+namespace {
+
+void two_runs(PanelBuilder& panel) {
+  const Lesson& lesson = panel.run.lesson;
+  const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
+  const WideStep* beside = step_beside(second, panel.run, panel.frame);
+  Lesson other = lesson;
+  other.scalar = *lesson.beside;
+  two_columns(panel, {RunColumn{std::string(name_of(lesson.scalar)), panel.run.run(panel.frame),
+                                panel.knows.phase ? &panel.state : nullptr, panel.numbers},
+                      RunColumn{std::string(name_of(*lesson.beside)), second.run,
+                                beside ? &beside->after : nullptr, Numbers(other)}});
 }
 
 }  // namespace

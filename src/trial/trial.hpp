@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/program.hpp"
+#include "trial/program.hpp"
 #include "lesson/names.hpp"
 
 namespace gjkscope::judging {

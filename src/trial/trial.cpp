@@ -1,4 +1,4 @@
-#include "judge/trial.hpp"
+#include "trial/trial.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "judge/program.hpp"
+#include "trial/program.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,0 +1,353 @@
+// Two runs about the same shapes, one view for each: the lesson's, and one that takes another way.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "mistakes/mistakes.hpp"
+#include "picture/text_box.hpp"
+#include "run/effect_info.hpp"
+#include "run/graph.hpp"
+#include "run/questions.hpp"
+#include "subjects/run/subject.hpp"
+#include "subjects/scalars/subject.hpp"
+#include "subjects/subjects.hpp"
+#include "subjects/two_runs/lesson_trace.hpp"
+#include "subjects/two_runs/table.hpp"
+
+namespace gjkscope {
+
+/// The effects of the two runs.
+struct EffectsOfTwoRuns {
+  static constexpr std::string_view kName = "two-runs";
+  static constexpr std::string_view kNeeds = "";
+  using Value = std::array<std::unique_ptr<EffectGraph>, 2>;
+  static EffectKey key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
+  static Value compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+    const TwoRunsTrace& both = two_runs_of(run, frame);
+    return {std::make_unique<EffectGraph>(both.runs[0]),
+            std::make_unique<EffectGraph>(both.runs[1])};
+  }
+};
+
+}  // namespace gjkscope
+
+namespace gjkscope::two_runs {
+namespace {
+
+using Eigen::Vector2d;
+using gjk::Phase;
+using judging::Part;
+
+/// The content of a frame.
+struct Shown {
+  Shown(const LessonRun& run, const Frame& frame)
+      : both(two_runs_of(run, frame)),
+        second(*run.lesson.table.as<LessonSecond>()),
+        step(frame.step),
+        is_answer(frame.step < 0 || frame.step >= both.steps()) {}
+
+  /// The frame of one of the runs: at the start and the answer its end.
+  [[nodiscard]] Frame frame_of(std::size_t which) const {
+    const int end = static_cast<int>(both.runs[which].runs[0].trace.steps.size()) - 1;
+    return {.step = is_answer ? end : both.shown[static_cast<std::size_t>(step)].at[which]};
+  }
+  [[nodiscard]] Story story_of(std::size_t which, EffectGraph& effects, const Frame& frame) const {
+    return {both.runs[which], effects, frame};
+  }
+  [[nodiscard]] double answer(std::size_t which) const {
+    return which == 0 ? both.exact : both.answer("second-distance");
+  }
+  /// "the loop"
+  [[nodiscard]] std::string name() const {
+    if (second.scalar) return fmt::format("the run in {}", name_of(*second.scalar));
+    return second.log ? "the logged run" : "the loop";
+  }
+  [[nodiscard]] std::string short_name() const {
+    if (second.scalar) return std::string(name_of(*second.scalar));
+    return second.log ? "log" : "loop";
+  }
+  [[nodiscard]] std::string first_name() const {
+    return second.scalar ? fmt::format("the run in {}", name_of(both.runs[0].lesson.scalar))
+                         : "GJK";
+  }
+  [[nodiscard]] const std::optional<judging::Finding>& wrong() const {
+    return both.judgement->wrong;
+  }
+  /// An error that is more than rounding.
+  [[nodiscard]] bool errs() const {
+    constexpr double kRounding = 1e-12;
+    return !(both.answer("error") <= kRounding * std::max(both.exact, answer(1)));
+  }
+  [[nodiscard]] const Mistake& mistake() const {
+    return *std::find_if(mistakes().begin(), mistakes().end(),
+                         [&](const Mistake& each) { return each.name == second.mistake; });
+  }
+
+  const TwoRunsTrace& both;
+  const LessonSecond& second;
+  int step;
+  bool is_answer;
+};
+
+FrameInView in_view(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                    std::size_t view);
+
+// ---- the words ----
+
+/// With true minus signs.
+std::string with_minus(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_minus = text[i] == '-' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '(');
+    out += is_minus ? "−" : std::string(1, text[i]);
+  }
+  return out;
+}
+
+/// The symptom: the answers of both.
+std::string answers(const Shown& shown, const Numbers& numbers) {
+  const std::string name = capitalized(shown.name());
+  const int mine = shown.both.runs[0].runs[0].trace.result.iterations;
+  const int others = shown.both.runs[1].runs[0].trace.result.iterations;
+  if (!shown.errs()) {
+    if (others <= mine)
+      return fmt::format("{} answers as {} does: the distance is {}.", name, shown.first_name(),
+                         numbers(shown.answer(0)));
+    return fmt::format("{} finds the distance {}, but goes on: it makes {} iterations, {} {}.",
+                       name, numbers(shown.answer(1)), others, shown.first_name(), mine);
+  }
+  const std::string is = fmt::format("{} answers {}; the distance is {}.", name,
+                                     numbers(shown.answer(1)), numbers(shown.answer(0)));
+  return fmt::format("{} The error is {}.", is, numbers(shown.both.answer("error")));
+}
+
+/// Where the second run stands.
+std::string second_step(const Shown& shown, const Numbers& numbers) {
+  const std::size_t at = static_cast<std::size_t>(shown.step);
+  const TwoRunsStep& step = shown.both.shown[at];
+  const LessonRun& run = shown.both.runs[1];
+  const WideState& state = run.state(shown.frame_of(1));
+  const std::string name = capitalized(shown.name());
+  if (step.phase == Phase::closest)
+    return fmt::format("{}: P = {}, {} from the origin.", name, numbers.point(state.p),
+                       numbers(std::sqrt(state.p_sq)));
+  return fmt::format("{}: d = {}, and the support point is {}.", name, numbers.point(state.d),
+                     run.pair_name(state.support.pair));
+}
+
+void words(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  if (!shown.both.fits) {
+    text.caption = "The log is about these shapes where they stood before. Both views show GJK.";
+    text.detail = "Undo the change to see the logged run.";
+    return;
+  }
+  const Numbers& numbers = story.numbers;
+  if (shown.is_answer) {
+    text.caption = answers(shown, numbers);
+    if (story.frame.step < 0) {
+      text.detail =
+          fmt::format("Follow both runs, and find the step in which {} goes wrong.", shown.name());
+    } else if (!shown.second.mistake.empty()) {
+      text.detail = std::string(shown.mistake().meaning);
+    } else if (shown.both.judgement && shown.both.judgement->right()) {
+      text.detail = "No step of the log is wrong.";
+    }
+    return;
+  }
+  auto& effects = story.effects.get<EffectsOfTwoRuns>(story.frame);
+  FrameText first;
+  captions::step(Story(shown.both.runs[0], *effects[0], shown.frame_of(0)), first);
+  if (shown.step == shown.both.parting) {
+    if (shown.both.judgement && shown.wrong()) {
+      text.caption = fmt::format("Here the runs part. In {}: {}.", shown.name(),
+                                 with_minus(shown.wrong()->what));
+    } else {
+      text.caption = fmt::format("Here the runs part. {}", second_step(shown, numbers));
+    }
+    text.detail = fmt::format("{}: {}", capitalized(shown.first_name()), first.caption);
+    return;
+  }
+  text.caption = first.caption;
+  const bool same = shown.both.parting < 0 || shown.step < shown.both.parting;
+  text.detail = same ? "Both runs do the same." : second_step(shown, numbers);
+  if (!same) text.caption = fmt::format("{}: {}", capitalized(shown.first_name()), first.caption);
+}
+
+void values(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  text.values.emplace_back("distance", story.numbers(shown.answer(0)));
+  text.values.emplace_back("second distance", story.numbers(shown.answer(1)));
+}
+
+// ---- the question ----
+
+constexpr AskInfo kAskWrong{"wrong", "what the second run gets wrong where the runs part"};
+constexpr std::array kAsks = {kAskWrong};
+constexpr std::array<std::pair<Phase, std::string_view>, 5> kChoices = {
+    {{Phase::closest, "P"},
+     {Phase::drop, "the vertices that are kept"},
+     {Phase::direction, "d"},
+     {Phase::support, "V"},
+     {Phase::stop, "whether to stop"}}};
+constexpr std::string_view kNoDifference = "a vertex of S";
+
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame, const LessonQuestion&) {
+  const TwoRunsTrace& both = two_runs_of(run, frame);
+  return both.parting >= 0 && frame.step == both.parting ? frame.step : -1;
+}
+
+/// The picture asks: it shows the step.
+Frame asking(const LessonRun&, const Frame& frame) { return frame; }
+
+void question(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskWrong.name), {}, {}});
+  const TwoRunsStep& step = shown.both.shown[static_cast<std::size_t>(shown.both.parting)];
+  for (const auto& [phase, choice] : kChoices) {
+    asked.choices.emplace_back(choice);
+    if (phase == step.phase) asked.answer = choice;
+  }
+  asked.choices.emplace_back(kNoDifference);
+  if (shown.both.judgement && shown.wrong() && shown.wrong()->part == Part::vertex)
+    asked.answer = kNoDifference;
+  text.caption = fmt::format(
+      "Question: this is the first step in which {} goes wrong. Which part of it is it?",
+      shown.name());
+}
+
+// ---- the stage ----
+
+/// How far the second answer is from the distance, on the way from the one closest point to the
+/// other.
+void draw_error(SceneBuilder& scene) {
+  const Shown shown(scene.run, scene.frame);
+  if (!shown.both.fits || !shown.errs() || !std::isfinite(shown.answer(1))) return;
+  const WideResult& first = shown.both.runs[0].runs[0].trace.result;
+  const Vector2d x = in_plane(first.x);
+  Vector2d way = in_plane(first.y) - x;
+  if (way.isZero()) way = in_plane(shown.both.runs[1].state(shown.frame_of(1)).p);
+  if (way.isZero()) return;
+  way.normalize();
+  const Vector2d base = scene.view.kind == ViewKind::world ? x : Vector2d(0.0, 0.0);
+  const Point from = scene.at(Vector2d(base + shown.answer(0) * way));
+  const Point to = scene.at(Vector2d(base + shown.answer(1) * way));
+  scene.line("second.error", from, to);
+  const double error = shown.both.answer("error");
+  scene.length_label("error", error, from, to);
+}
+
+FrameInView in_view(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                    std::size_t view) {
+  const Shown shown(run, frame);
+  const std::size_t which = view + 1 == run.lesson.views.size() ? 1 : 0;
+  return {&shown.both.runs[which], effects.get<EffectsOfTwoRuns>(frame)[which].get(),
+          shown.frame_of(which), which == 1 && shown.is_answer ? draw_error : nullptr};
+}
+
+/// Layers and views of the runs draw it.
+void stage(SceneBuilder&) {}
+
+// ---- the panel ----
+
+void both_runs(PanelBuilder& panel) {
+  const Shown shown(panel.run, panel.frame);
+  auto& effects = panel.effects.get<EffectsOfTwoRuns>(panel.frame);
+  const Frame frame = shown.frame_of(0);
+  const LessonRun& first = shown.both.runs[0];
+  const LessonRun& second = shown.both.runs[1];
+  PanelBuilder inner(first, *effects[0], frame, panel.fonts, {});
+  inner.left = panel.left;
+  inner.right = panel.right;
+  inner.y = panel.y;
+  const Frame beside = shown.frame_of(1);
+  const WideState* state = beside.step < 0 ? nullptr : &second.state(beside);
+  const std::string name =
+      shown.second.scalar ? std::string(name_of(first.lesson.scalar)) : std::string("GJK");
+  blocks::two_columns(inner, {blocks::RunColumn{name, first.runs[0], &inner.state, inner.numbers},
+                              blocks::RunColumn{shown.short_name(), second.runs[0], state,
+                                                Numbers(second.lesson)}});
+  panel.y = inner.y;
+  std::move(inner.marks.begin(), inner.marks.end(), std::back_inserter(panel.marks));
+}
+
+void two_answers(PanelBuilder& panel) {
+  const Shown shown(panel.run, panel.frame);
+  panel.heading("Answers");
+  panel.row("distance", panel.numbers(shown.answer(0)));
+  panel.row(fmt::format("as {} answers", shown.name()), panel.numbers(shown.answer(1)));
+  panel.row("error", panel.numbers(shown.both.answer("error")));
+}
+
+/// From the step on that is wrong: before, it would tell.
+void changed_line(PanelBuilder& panel) {
+  const Shown shown(panel.run, panel.frame);
+  if (shown.second.mistake.empty() || shown.step < shown.both.parting || shown.step < 0) return;
+  panel.heading("The line that is changed");
+  const auto lines = [&](const std::string& sign, std::string_view text) {
+    constexpr double kSign = 20.0;
+    panel.write("code", panel.left, sign, type::kCode);
+    for (const std::string& line :
+         wrapped(panel.fonts, type::kCode, std::string(text), panel.right - panel.left - kSign)) {
+      panel.write("code", panel.left + kSign, line, type::kCode);
+      panel.y += rows::kTightRow;
+    }
+  };
+  const Mistake& mistake = shown.mistake();
+  lines("−", mistake.line);
+  lines("+", mistake.by.empty() ? "(nothing)" : mistake.by);
+}
+
+const Act kAct{
+    .name = "two-runs",
+    .meaning =
+        "step of two runs about the same shapes, as long as both go on, and two iterations more",
+    .needs = {.table = &LessonSecond::kKind,
+              .path = PathUse::refused,
+              .why_no_until = "frames show how both runs end"},
+    .add_frames = add_algorithm_frames,
+    .asks = kAsks,
+    .answering_step = answering_step,
+    .asking = asking,
+    .algorithm = &kTwoRunsAlgorithm,
+    .position = position_in_algorithm,
+    .tick = tick_of_algorithm,
+    .words = words,
+    .stage = stage,
+    .question = question,
+    .values = values,
+    .in_view = in_view,
+};
+
+const Block kBothRuns{.name = "both-runs",
+                      .meaning = "the numbers of both runs, and where they differ",
+                      .write = both_runs,
+                      .act = kAct.name};
+const Block kTwoAnswers{.name = "two-answers",
+                        .meaning = "the distance, the second run's answer and its error",
+                        .write = two_answers,
+                        .act = kAct.name};
+const Block kChangedLine{.name = "changed-line",
+                         .meaning = "the line of the textbook's page that the second run changes",
+                         .write = changed_line,
+                         .act = kAct.name};
+const EffectInfo kEffects = effect_info<EffectsOfTwoRuns>(
+    "frame", "the effects of each of two runs that stand side by side", kAct.name);
+
+}  // namespace
+}  // namespace gjkscope::two_runs
+
+namespace gjkscope {
+
+const SubjectParts subjects::two_runs{
+    .acts = {&gjkscope::two_runs::kAct},
+    .blocks = {&gjkscope::two_runs::kBothRuns, &gjkscope::two_runs::kTwoAnswers,
+               &gjkscope::two_runs::kChangedLine},
+    .effects = {&gjkscope::two_runs::kEffects},
+    .legend = {{"second.error", "error of the answer"}},
+};
+
+}  // namespace gjkscope
