@@ -48,6 +48,7 @@ App::App(Paths paths, const Fonts& fonts, const std::string& name)
       thumbnails_(fonts),
       chapters_(parse_chapters(read_whole(paths_.share / "assets" / "chapters.toml"),
                                "assets/chapters.toml")),
+      terms_(parse_terms(read_whole(paths_.share / "assets" / "terms.toml"), "assets/terms.toml")),
       unsaved_(paths_.state) {
   session_.work_beside();
   const fs::path folder = fs::is_directory(name) ? fs::path(name) : paths_.share / "lessons";

@@ -26,6 +26,7 @@
 #include "icon.hpp"
 #include "known_files.hpp"
 #include "lesson/case.hpp"
+#include "lesson/terms.hpp"
 #include "paint/imgui_painter.hpp"
 #include "picture_view.hpp"
 #include "presenter.hpp"
@@ -138,6 +139,7 @@ class App {
   [[nodiscard]] const std::filesystem::path& share() const { return paths_.share; }
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
   [[nodiscard]] const std::vector<ListedLesson>& lessons() const { return lessons_; }
+  [[nodiscard]] const std::vector<CourseTerm>& terms() const { return terms_; }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
   /// The last message, or the error of the last deed.
   [[nodiscard]] const std::string& message() const { return error_.empty() ? message_ : error_; }
@@ -351,6 +353,7 @@ class App {
   Asking asking_;
   Thumbnails thumbnails_;
   std::map<int, std::string> chapters_;  ///< Their titles.
+  std::vector<CourseTerm> terms_;
   std::vector<ListedLesson> lessons_;
   std::vector<Drawer> drawers_;
   std::vector<Command> commands_;

@@ -69,6 +69,7 @@ Picture PictureView::picture_now() {
     shown_ = picture;
     shown_version_ = session_.version();
     shown_index_ = session_.index();
+    terms_ = term_spots(picture, app_.fonts(), app_.terms());
   }
   if (!motion_) return picture;
   const double share = (app_.now() - motion_->start) / kTweenSeconds;
@@ -96,7 +97,10 @@ void PictureView::draw(const AtlasFonts& fonts) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const DrawPlacement placement{area_.min, zoom_, ImGui::GetIO().Fonts->TexID};
     next = paint_marks(list, picture, next, app_.theme(), fonts, placement);
-    if (next >= picture.marks.size()) draw_highlights(picture, fonts);
+    if (next >= picture.marks.size()) {
+      draw_highlights(picture, fonts);
+      if (underlines_terms_ && !motion_) underline_terms();
+    }
     ImGui::End();
   }
   ImGui::PopStyleVar();
@@ -163,6 +167,33 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
   }
 }
 
+void PictureView::underline_terms() const {
+  constexpr double kDot = 2.0;   // frame pixels
+  constexpr double kStep = 4.0;  // from dot to dot
+  const Color words = *app_.theme().style("prose").fill;
+  for (const TermSpot& spot : terms_) {
+    for (double x = spot.box.min.x(); x + kDot <= spot.box.max.x(); x += kStep) {
+      const Point dot(x, spot.box.max.y());
+      ImGui::GetWindowDrawList()->AddRectFilled(vec(to_pixel(dot)),
+                                                vec(to_pixel(dot + Point(kDot, 1.5))),
+                                                IM_COL32(words.r, words.g, words.b, 255));
+    }
+  }
+}
+
+void PictureView::explain_term(const Point& page) {
+  constexpr float kWidth = 26.0f;  // ems
+  for (const TermSpot& spot : terms_) {
+    if (!overlap(spot.box, {page, page})) continue;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(kWidth * ImGui::GetFontSize());
+    ImGui::TextUnformatted(spot.term->sentence.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    return;
+  }
+}
+
 Rect PictureView::last_card() {
   Rect card = {to_page(area_.min), to_page(area_.max)};
   for (const Mark& mark : session_.picture().marks) {
@@ -221,6 +252,7 @@ void PictureView::take_pointer() {
                       (pixel.array() < area_.max.array()).all();
   const bool ours = inside && !io.WantCaptureMouse && !app_.has_dialog() && app_.shows_pointer();
   const Point page = to_page(pixel);
+  underlines_terms_ = ours && !press_ && !app_.is_presenting() && !hand_.view_at(page);
   if (press_) {
     if (io.MouseDown[0]) {
       continue_drag(page);
@@ -234,6 +266,7 @@ void PictureView::take_pointer() {
   if (!motion_)
     session_.point_at({hand_.selected, ours ? hand_.named_at(page, hovered_) : hovered_});
   if (!ours) return;
+  if (!motion_) explain_term(page);
   if (is_vertex(hovered_) || is_shape(hovered_) || hovered_.kind == Kind::study_dot)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const std::optional<std::size_t> view = hand_.view_at(page);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "paint/imgui_painter.hpp"
+#include "picture/term_spots.hpp"
 #include "session/hand.hpp"
 #include "session/session.hpp"
 
@@ -77,6 +78,9 @@ class PictureView {
   /// The session's picture, or what leads to it from the step that was shown before.
   [[nodiscard]] Picture picture_now();
   void draw_highlights(const Picture& picture, const AtlasFonts& fonts);
+  /// Terms are underlined while the pointer is beside the views, and the pointed one is explained.
+  void underline_terms() const;
+  void explain_term(const Point& page);
   void press(const Subject& subject, const Point& page);
   /// The button went up.
   void let_go();
@@ -95,6 +99,8 @@ class PictureView {
   Picture shown_;  ///< The last, of this version of the lesson and this step.
   long shown_version_ = -1;
   int shown_index_ = 0;
+  std::vector<TermSpot> terms_;  ///< On the shown picture.
+  bool underlines_terms_ = false;
   std::optional<Motion> motion_;
 };
 

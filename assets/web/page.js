@@ -91,10 +91,8 @@ function show(next, moves) {
   $("panel").hidden = !state.panel;
   if (state.panel) putPanel();
   if ($("timeline").markup !== state.timeline) put($("timeline"), state.timeline, "img");
-  setText("prose", state.prose);
   setText("position", state.position);
-  setText("caption", state.caption);
-  setText("detail", state.detail);
+  for (const id of ["prose", "caption", "detail"]) setWords(id, state.terms[id]);
   const scrub = $("scrub");
   scrub.max = state.count;
   scrub.value = state.index + 1;
@@ -152,6 +150,7 @@ function putPanel() {
   if ($("panel").markup === state.panel) return;
   const focused = document.activeElement?.dataset?.of;
   put($("panel"), state.panel, "group");
+  layTerms($("panel"), state.terms.panel);
   const seen = new Set();
   for (const mark of $("panel").querySelectorAll('text[data-of^="phase"]')) {
     if (seen.has(mark.dataset.of)) continue;
@@ -232,6 +231,7 @@ function onKey(event) {
   const at = event.target;
   if (event.key === "Escape" && !$("busy").hidden) return cancel();
   if (event.key === "Escape" && held?.drags) return letGo();
+  if (event.key === "Escape") explain(null);
   if (event.altKey || $("link").open) return;
   if (at.closest("input:not([type=checkbox]), textarea, select")) return;
   if (event.ctrlKey || event.metaKey) {

@@ -2,10 +2,10 @@
 
 /**
  * The program: a compiled module, without files and without a network. `fonts` are those of the six
- * faces, regular first, then their fallbacks; `themes` are texts by name. Returns a function that
+ * faces, regular first, then their fallbacks; `assets` has `themes`, texts by name, and `terms`. Returns a function that
  * takes a request and gives the answer, both texts (docs/web.md).
  */
-async function startPlayer(module, fonts, fallbacks, themes) {
+async function startPlayer(module, fonts, fallbacks, assets) {
   let memory = null;
   const done = () => 0;
   const view = () => new DataView(memory.buffer);
@@ -57,8 +57,8 @@ async function startPlayer(module, fonts, fallbacks, themes) {
     lend(bytes, (at, size) => program.gjk_font(face, 0, at, size));
     lend(fallbacks[face], (at, size) => program.gjk_font(face, 1, at, size));
   });
-  if (!lend(write.encode(JSON.stringify(themes)), program.gjk_start))
-    throw new Error("the page's fonts or themes are damaged");
+  if (!lend(write.encode(JSON.stringify(assets)), program.gjk_start))
+    throw new Error("the page's fonts, themes or terms are damaged");
   return (request) => {
     const size = lend(write.encode(request), program.gjk_ask);
     return read.decode(new Uint8Array(memory.buffer, program.gjk_said(), size));
@@ -74,8 +74,8 @@ function fontsIn(css) {
 const FALLBACK_OF_FACE = [0, 0, 1, 1, 2, 3];
 
 /** `startPlayer` with the fonts of a style sheet. */
-function startPlayerWith(module, css, themes) {
+function startPlayerWith(module, css, assets) {
   const files = fontsIn(css);
   const fallbacks = FALLBACK_OF_FACE.map((i) => files[6 + i]);
-  return startPlayer(module, files.slice(0, 6), fallbacks, themes);
+  return startPlayer(module, files.slice(0, 6), fallbacks, assets);
 }

@@ -71,7 +71,7 @@ async function startProgram() {
   const wasm = module ? undefined : $("wasm").textContent;
   const started = await new Promise((done) => {
     sent = null;
-    waiting.unshift({ message: { module, wasm, fonts: $("fonts").textContent, themes: data.themes }, done });
+    waiting.unshift({ message: { module, wasm, fonts: $("fonts").textContent, assets: data.assets }, done });
     sendNext();
   });
   if (started?.stopped !== undefined) throw new Error(started.stopped);

@@ -40,6 +40,9 @@ function connect() {
   // Only this keeps a page from scrolling under a finger that drags.
   stage.addEventListener("touchstart", (event) => held?.drags && event.preventDefault(), { passive: false });
   document.addEventListener("keydown", onKey);
+  document.addEventListener("pointerover", (event) => event.target.closest("#term") || explain(event.target.closest(".term")));
+  document.addEventListener("focusin", (event) => explain(event.target.closest(".term")));
+  document.addEventListener("scroll", () => explain(explained), { capture: true, passive: true });
   document.querySelector(".transcript").onclick = (event) => {
     const link = event.target.closest("a");
     if (!link) return;

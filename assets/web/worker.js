@@ -11,10 +11,10 @@ onmessage = async ({ data }) => {
       postMessage(answer(data));
       return;
     }
-    const { wasm, fonts, themes } = data;
+    const { wasm, fonts, assets } = data;
     const module = data.module ??
       await WebAssembly.compile(await through(new DecompressionStream("gzip"), bytesOf(wasm)));
-    answer = await startPlayerWith(module, fonts, themes);
+    answer = await startPlayerWith(module, fonts, assets);
     postMessage({ module });
   } catch (error) {
     postMessage({ stopped: error.message });

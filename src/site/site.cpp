@@ -135,8 +135,8 @@ class SiteWriter {
     add("theme-script", {"theme.js"});
     add("room-script", {"room.js"});
     add("worker", {"bytes.js", "player.js", "worker.js"});
-    add("script", {"bytes.js", "program.js", "motion.js", "page.js", "tools.js", "hand.js",
-                   "links.js", "kit.js", "start.js"});
+    add("script", {"bytes.js", "program.js", "motion.js", "terms.js", "page.js", "tools.js",
+                   "hand.js", "links.js", "kit.js", "start.js"});
   }
 
   void write_lesson(const Lesson& lesson, const Lesson* next) {
@@ -243,7 +243,7 @@ class SiteWriter {
             {"asks", asks(lesson)},
             {"lesson", lesson_toml(lesson)},
             {"files", std::move(files)},
-            {"themes", themes_}};
+            {"assets", {{"themes", themes_}, {"terms", terms_}}}};
   }
 
   /// Whether the run of the lesson has a step that can be asked for before it is told.
@@ -261,7 +261,7 @@ class SiteWriter {
   void write_page(const Lesson& lesson, std::map<std::string, std::string> parts,
                   const Lesson* next) {
     const Json data = page_data(lesson, parts["kind"]);
-    Player player(faces_of(fonts_), themes_);
+    Player player(faces_of(fonts_), themes_, terms_);
     const auto ask = [&](const Json& request) {
       Json answer = Json::parse(player.answer(request.dump()));
       if (answer.contains("problem")) {
@@ -361,6 +361,7 @@ class SiteWriter {
   Theme theme_;
   Theme dark_;
   std::map<std::string, std::string> themes_;
+  std::string terms_ = read_whole(assets_ / "terms.toml");
   std::map<std::string, std::string> shared_;  ///< Parts that all pages have.
   std::string page_ = read_whole(assets_ / "web" / "page.html");
   std::vector<fs::path> files_;

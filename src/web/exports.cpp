@@ -47,13 +47,14 @@ EMSCRIPTEN_KEEPALIVE void gjk_font(int face, int fallback, const unsigned char* 
   (fallback != 0 ? of.fallback : of.main).assign(bytes, bytes + size);
 }
 
-/// `themes`: a JSON object of names and texts. False when these or the fonts are not what they
-/// should be.
-EMSCRIPTEN_KEEPALIVE bool gjk_start(const char* themes, std::size_t size) {
+/// `assets`: a JSON object of `themes`, texts by name, and `terms`, a text. False when these or the
+/// fonts are not what they should be.
+EMSCRIPTEN_KEEPALIVE bool gjk_start(const char* assets, std::size_t size) {
   try {
-    player = std::make_unique<Player>(
-        std::move(fonts),
-        nlohmann::json::parse(themes, themes + size).get<std::map<std::string, std::string>>());
+    const nlohmann::json texts = nlohmann::json::parse(assets, assets + size);
+    player = std::make_unique<Player>(std::move(fonts),
+                                      texts.at("themes").get<std::map<std::string, std::string>>(),
+                                      texts.at("terms").get<std::string>());
     return true;
   } catch (const std::exception&) {
     return false;

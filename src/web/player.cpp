@@ -70,10 +70,12 @@ FileText Player::held(const Files& files, const std::filesystem::path& file) {
   return {found->second, {}};
 }
 
-Player::Player(std::array<FaceBytes, kFaceCount> fonts, std::map<std::string, std::string> themes)
+Player::Player(std::array<FaceBytes, kFaceCount> fonts, std::map<std::string, std::string> themes,
+               std::string_view terms)
     : fonts_(std::move(fonts)),
       theme_texts_(std::move(themes)),
       theme_(theme("light")),
+      terms_(parse_terms(terms, "assets/terms.toml")),
       session_(fonts_, [this](const std::filesystem::path& file,
                               std::size_t) { return held(files_, file); }),
       hand_(session_, fonts_) {}

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "lesson/terms.hpp"
 #include "picture/picture.hpp"
 #include "picture/theme.hpp"
 #include "session/hand.hpp"
@@ -15,8 +16,10 @@ namespace gjkscope {
 
 class Player {
  public:
-  /// `themes` by name: the texts of their files, "light" among them.
-  Player(std::array<FaceBytes, kFaceCount> fonts, std::map<std::string, std::string> themes);
+  /// `themes` by name: the texts of their files, "light" among them; `terms`: that of
+  /// assets/terms.toml. Throws std::runtime_error where they are damaged.
+  Player(std::array<FaceBytes, kFaceCount> fonts, std::map<std::string, std::string> themes,
+         std::string_view terms);
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
@@ -72,6 +75,7 @@ class Player {
   Fonts fonts_;
   Files theme_texts_;
   Theme theme_;
+  std::vector<CourseTerm> terms_;
   Session session_;
   Hand hand_;
   std::optional<Lesson> opened_;  ///< The lesson that "reset" goes back to.

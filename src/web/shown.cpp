@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/hexadecimal.hpp"
 #include "frames/panel.hpp"
@@ -11,6 +12,7 @@
 #include "lesson/names.hpp"
 #include "outlines/polygon.hpp"
 #include "paint/svg.hpp"
+#include "picture/term_spots.hpp"
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
 #include "subjects/depth/penetration.hpp"
@@ -229,6 +231,38 @@ std::string Player::panel_svg(const Theme& theme) {
                 "Pseudocode and values: " + values);
 }
 
+namespace {
+
+/// A text in pieces: words, and terms with their sentences, each where it comes first.
+Json in_pieces(const std::string& text, const std::vector<CourseTerm>& terms) {
+  Json pieces = Json::array();
+  std::set<const CourseTerm*> told;
+  std::size_t at = 0;
+  for (const FoundTerm& found : find_terms(text, terms)) {
+    if (!told.insert(found.term).second) continue;
+    if (found.begin > at) pieces.push_back(text.substr(at, found.begin - at));
+    pieces.push_back(
+        Json::array({text.substr(found.begin, found.end - found.begin), found.term->sentence}));
+    at = found.end;
+  }
+  if (at < text.size()) pieces.push_back(text.substr(at));
+  return pieces;
+}
+
+/// The boxes of terms with their sentences, but for words that are buttons.
+Json terms_on(Picture panel, const Fonts& fonts, const std::vector<CourseTerm>& terms) {
+  std::erase_if(panel.marks,
+                [](const Mark& mark) { return mark.subject.kind != Subject::Kind::none; });
+  Json out = Json::array();
+  for (const TermSpot& spot : term_spots(panel, fonts, terms)) {
+    const Point size = spot.box.size();
+    out.push_back({spot.box.min.x(), spot.box.min.y(), size.x(), size.y(), spot.term->sentence});
+  }
+  return out;
+}
+
+}  // namespace
+
 /// The stage with a ring around the selected vertex, or the handle that turns the selected shape.
 std::string Player::stage_svg(Picture stage) const {
   constexpr double kAround = 7.0;
@@ -276,7 +310,13 @@ std::string Player::shown(const std::string& understood) {
               {"hulls", not_convex(run)},
               {"stage", stage_svg(stage_)},
               {"timeline", to_svg(timeline(), fonts_, theme_, text.position)}};
-  if (!lesson.panel.empty()) out["panel"] = panel_svg(theme_);
+  for (const auto& [name, words] :
+       {std::pair("prose", &text.prose), {"caption", &text.caption}, {"detail", &text.detail}})
+    out["terms"][name] = in_pieces(*words, terms_);
+  if (!lesson.panel.empty()) {
+    out["panel"] = panel_svg(theme_);
+    out["terms"]["panel"] = terms_on(panel(session_.frame(), panel_width_), fonts_, terms_);
+  }
   if (const FrameQuestion* question = session_.question()) {
     out["question"] = {{"ask", question->ask}, {"choices", question->choices}};
     for (const VertexChoice& half : question->pair)

@@ -449,6 +449,26 @@ TEST(App, ThePointedDifferenceIsLinkedToItsVertices) {
   EXPECT_TRUE(is_linked(window.app().picture().hovered(), {Kind::vertex_of_x, 0}));
 }
 
+TEST(App, APointedTermIsExplained) {
+  HeadlessApp window("polygon-evolution");
+  const auto shown = [] {
+    const ImGuiWindow* words = ImGui::FindWindowByName("##Tooltip_00");
+    return words != nullptr && words->Active && !words->Hidden;
+  };
+  const std::vector<TermSpot> spots =
+      term_spots(window.session().picture(), window.app().fonts(), window.app().terms());
+  const auto simplex = std::find_if(spots.begin(), spots.end(), [](const TermSpot& spot) {
+    return spot.term->name == "simplex";
+  });
+  ASSERT_NE(simplex, spots.end());
+  window.move(window.app().picture().to_pixel(simplex->box.center()));
+  window.settle();
+  EXPECT_TRUE(shown());
+  window.move(window.app().picture().to_pixel(simplex->box.min - Point(12.0, 12.0)));
+  window.settle();
+  EXPECT_FALSE(shown());
+}
+
 TEST(App, TheWheelZoomsAboutThePointer) {
   HeadlessApp window;
   const Point at = window.at(kK);

@@ -1386,6 +1386,28 @@ claim("captions are announced, figures have names, focus is seen", async () => {
   await close(page);
 });
 
+claim("a term shows its sentence to pointer, keyboard and finger, in words and panel", async () => {
+  const page = await open(url("segment-regions"));
+  const tip = page.locator("#term");
+  const sentence = "The Voronoi region of a feature holds all points whose closest point lies on that feature.";
+  const term = page.locator("#prose .term", { hasText: "Voronoi region" });
+  assert.ok(await tip.isHidden());
+  await term.hover();
+  assert.equal(await tip.textContent(), sentence);
+  await page.mouse.move(5, 5);
+  assert.ok(await tip.isHidden());
+  await term.focus();
+  assert.equal(await tip.textContent(), sentence);
+  await page.keyboard.press("Escape");
+  assert.ok(await tip.isHidden());
+  await page.locator("#panel .term").first().hover();
+  assert.ok(await tip.isVisible());
+  const { x, y, width, height } = await tip.boundingBox();
+  const window = page.viewportSize();
+  assert.ok(x >= 0 && y >= 0 && x + width <= window.width && y + height <= window.height);
+  await close(page);
+});
+
 claim("all themes are shown, and remembered", async () => {
   const page = await open(url("polygons-gjk"));
   const seen = new Set();

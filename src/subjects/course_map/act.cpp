@@ -23,7 +23,7 @@ constexpr int kChapters = 8;
 constexpr int kColumns = 4;
 constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Point to segment", "Chapter 1: which point of a segment is closest to Q?",
-     "An end, or a point between: three regions, and two weights that tell which."},
+     "An end, or a point between: three cases, and two numbers that tell which."},
     {"Point to triangle", "Chapter 2: which point of a triangle is closest to Q?",
      "Each edge is a segment, so chapter 1 is used three times. New: areas, and the inside."},
     {"Point to polygon", "Chapter 3: which point of a convex polygon is closest to Q? This is GJK.",
@@ -31,11 +31,11 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Polygon to polygon", "Chapter 4: which points of two convex polygons are closest?",
      "Subtracted from each other they make one polygon, and Q becomes the origin O."},
     {"Minkowski sums", "Chapter 5: what else the difference of two shapes tells.",
-     "Moving among obstacles, bounds that prove an answer, how deep shapes overlap."},
+     "Moving among obstacles, proofs that an answer is right, how deep shapes overlap."},
     {"Numerics", "Chapter 6: what rounding does to all this.",
      "Needles, shapes far away, shapes that touch: where programs answered wrongly, and why."},
     {"Features and general models", "Chapter 7: shapes that move, and shapes that are not convex.",
-     "Walking from feature to feature, cutting into convex pieces, trees of boxes and circles."},
+     "Walking along both outlines, cutting into convex pieces, trees of boxes and circles."},
     {"Mistakes",
      "Chapter 8: what goes wrong in programs, and how to find the step that is to blame.",
      "Loops with one wrong line run beside the right one until the two part."},

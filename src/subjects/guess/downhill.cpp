@@ -197,7 +197,9 @@ void words(const Story& story, FrameText& text) {
     text.caption = fmt::format("The closest point is only {} from {}. The walk is stuck at {}.",
                                away(value.closest), story.q, away(value.on_outline.back().at));
     text.detail =
-        "The straight way there leaves the shape, and along the outline it first leads away.";
+        "A shape is convex if it holds the straight way between any two of its points. This one "
+        "does "
+        "not: the dashed way leaves it, and along the outline one would first go away.";
     return;
   }
   if (stop == 0) {
@@ -215,8 +217,8 @@ void words(const Story& story, FrameText& text) {
     text.caption =
         fmt::format("On the hull the walk ends at the closest point, {} from {}.", now, story.q);
     text.detail =
-        "A shape is convex if it holds the straight way between any two of its points. Then the "
-        "way to the closest point is never barred, and on it the distance falls all the way.";
+        "A convex shape holds all straight ways. So the way to the closest point is never barred, "
+        "and on it the distance falls all the way.";
     return;
   }
   text.caption = fmt::format("{}: the distance to {} falls from {} to {}.",
@@ -253,6 +255,7 @@ void stage(SceneBuilder& scene) {
   guesses::measured_line(scene, "closest.line", "way", at, value.q);
   scene.disk("path.now", scene.at(at), kSimplexRadius);
   if (!shown.tells || on_hull) return;
+  scene.line("guess.way.straight", scene.at(at), scene.at(value.closest));
   guesses::measured_line(scene, "closest.line", "closest", value.closest, value.q);
   scene.disk("closest", scene.at(value.closest), kClosestRadius);
 }

@@ -114,15 +114,16 @@ void words(const Story& story, FrameText& text) {
       text.caption =
           fmt::format("From each vertex the way to the other shape is {} or more.", distance);
       text.detail =
-          "Drawn from the two nearest of each shape. Who guesses one of them is wrong by what it "
-          "is "
+          "Drawn from the two nearest of each shape. A guess of one of them is wrong by what it is "
           "longer.";
       return;
     case Part::slab:
-      text.caption =
-          fmt::format("No two points are closer: no point of {} or {} lies in the slab.", x, y);
+      text.caption = fmt::format(
+          "No two points are closer. A slab is the strip between two parallel lines: "
+          "no point of {} or {} lies in this one.",
+          x, y);
       text.detail = fmt::format(
-          "Both its sides are perpendicular to xy. Who goes from {} to {} has to cross it, and it "
+          "Both its sides are perpendicular to xy. Every way from {} to {} has to cross it, and it "
           "is {} wide.",
           x, y, distance);
       return;
@@ -199,6 +200,7 @@ namespace gjkscope {
 const SubjectParts subjects::guess{
     .acts = {&guesses::kGuess, &vertex_pairs::kAct, &downhill::kAct},
     .legend = {{"guess.way", "shortest way from a vertex"},
+               {"guess.way.straight", "straight way to the closest point"},
                {"pair.link", "a pair of vertices"},
                {"path.now", "where the walk is"},
                {"guess.sample", "a point that is tried"},

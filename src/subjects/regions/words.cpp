@@ -49,7 +49,8 @@ void negative(const Story& story, FrameText& text, int i) {
   const std::string edge = edge_opposite(story, i);
   text.caption = fmt::format("{} is negative in the whole half-plane beyond {}.", "uvw"[i], edge);
   text.detail = fmt::format(
-      "The Voronoi region of {} is only the part of it that projects onto {}.", edge, edge);
+      "{}The Voronoi region of {} is only the part of it that projects onto {}.",
+      i == 0 ? "A half-plane is all of the plane on one side of a line. " : "", edge, edge);
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ void maps(const Story& story, FrameText& text) {
     case MapStage::interior:
       text.caption = "Sign map: u, v and w are all positive inside the triangle.";
       text.detail =
-          "The lines extend the edges: on each of them one of u, v and w is 0. Next: where is it "
+          "The lines extend the edges: on each of them one of u, v and w is 0. Next: where is u "
           "negative?";
       return;
     case MapStage::negative_u:
@@ -81,7 +82,7 @@ void maps(const Story& story, FrameText& text) {
       text.caption = fmt::format("The half-planes overlap: beyond {}, v and w are both negative.",
                                  story.words.vertex(0));
       text.detail =
-          "Three lines make seven regions again, one for each feature, but with other borders.";
+          "Three lines make seven parts again, one for each feature, but with other borders.";
       return;
     case MapStage::asked:  // has the words of its question
     case MapStage::blended:
