@@ -10,6 +10,7 @@ inline double dot(const Point& a, const Point& b) { return a.x() * b.x() + a.y()
 inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 struct Input {
   Polygon x, y;
+  int start_x = 0, start_y = 0;  // the vertices of X and Y that make the first simplex
 };
 struct SimplexVertex {   // of Z = Y - X, the set of all differences y - x:
   int index_x, index_y;  // the vertices of X and Y that make it,
@@ -23,7 +24,6 @@ struct Output {
   Point p = {0, 0}, x = {0, 0}, y = {0, 0};  // P, and the closest points of X and Y
   double distance = 0;
 };
-
 inline int support(const Polygon& shape, const Point& d) {
   int best = 0;
   for (int i = 1; i < static_cast<int>(shape.size()); ++i)
@@ -58,7 +58,7 @@ inline Simplex closest(const Simplex& s) {
 }
 
 inline Output gjk(const Input& in, int cap = 64) {
-  Simplex s = {{0, 0, in.y[0] - in.x[0]}};
+  Simplex s = {{in.start_x, in.start_y, in.y[in.start_y] - in.x[in.start_x]}};
   for (int iterations = 1;; ++iterations) {
     s = closest(s);
     Output out = {s, iterations};

@@ -11,6 +11,7 @@ def cross(a, b): return a.real * b.imag - a.imag * b.real
 @dataclass
 class Input:
     x: list; y: list
+    start_x: int = 0; start_y: int = 0  # the vertices of X and Y that make the first simplex
 @dataclass
 class SimplexVertex:  # of Z = Y - X, the set of all differences y - x:
     index_x: int; index_y: int  # the vertices of X and Y that make it,
@@ -22,7 +23,6 @@ class Output:
     iterations: int
     p: complex = 0; x: complex = 0; y: complex = 0  # P, and the closest points of X and Y
     distance: float = 0
-
 def support(shape, d):
     best = 0
     for i in range(1, len(shape)):
@@ -53,7 +53,7 @@ def closest(s):
     return keep(s, a, b, c)
 
 def gjk(data, cap=64):
-    s = [SimplexVertex(0, 0, data.y[0] - data.x[0])]
+    s = [SimplexVertex(data.start_x, data.start_y, data.y[data.start_y] - data.x[data.start_x])]
     for iterations in range(1, cap + 1):
         s = closest(s)
         out = Output(s, iterations)
