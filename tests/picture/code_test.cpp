@@ -160,9 +160,9 @@ TEST(Code, VariablesHaveTheValuesOfTheStep) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].text.phase != "support" || !frames[i].text.choices.empty()) continue;
     const WideState& state = run.state(run.frames[i]);
-    const std::string texts = texts_of(frames[i], "code");
-    EXPECT_NE(std::string::npos, texts.find(fmt::format("far_x {} far_y {}", state.support.pair.x,
-                                                        state.support.pair.y)))
+    const std::string texts = texts_of(frames[i], "code.value");
+    EXPECT_NE(std::string::npos,
+              texts.find(fmt::format("{} {}", state.support.pair.x, state.support.pair.y)))
         << texts;
     ++seen;
   }

@@ -205,8 +205,8 @@ std::optional<Line> line_of_step(const PanelBuilder& panel, const Steps& steps) 
 // ---------------------------------------------------------------------------------------------------
 
 constexpr double kIndent = 6.0;   // of a space at the begin of a line, in frame pixels
-constexpr double kNumber = 30.0;  // left of the code: its line's number
-constexpr int kRows = 11;
+constexpr double kNumber = 27.0;  // left of the code: its line's number
+constexpr int kRows = 10;
 constexpr int kBefore = 2;  // lines in sight above the current one
 
 struct Row {
@@ -220,7 +220,7 @@ std::vector<Row> rows_of(const PanelBuilder& panel, std::string_view line, doubl
   const auto width = [&](const std::string& text) { return panel.fonts.width(type::kCode, text); };
   const std::string_view sign =
       language_of(panel.run.lesson.listing) == Language::python ? "#" : "//";
-  constexpr double kHanging = 4 * kIndent;
+  constexpr double kHanging = 2 * kIndent;
   const std::string_view code = without_indent(line);
   std::vector<Row> out(1);
   out[0].left = static_cast<double>(line.size() - code.size()) * kIndent;
@@ -228,7 +228,11 @@ std::vector<Row> rows_of(const PanelBuilder& panel, std::string_view line, doubl
   bool in_comment = false;
   std::size_t at = 0;
   while (at < code.size()) {
-    const std::size_t end = std::min(code.find(' ', at), code.size());
+    std::size_t end = std::min(code.find(' ', at), code.size());
+    // These stay with the word that follows them.
+    for (const std::string_view before : {sign, std::string_view("return")}) {
+      if (code.substr(at, end - at) == before) end = std::min(code.find(' ', end + 1), code.size());
+    }
     const std::string word(code.substr(at, end - at));
     at = std::min(code.find_first_not_of(' ', end), code.size());
     in_comment = in_comment || word.starts_with(sign);
@@ -245,15 +249,15 @@ std::vector<Row> rows_of(const PanelBuilder& panel, std::string_view line, doubl
 }
 
 /// The first of the lines in sight, of which `heights` are the rows: the current one stands below
-/// `kBefore` others where it can, and the end of the page at the end.
-int first_in_sight(const std::vector<int>& heights, int current) {
+/// `before` others where it can, and the end of the page at the end.
+int first_in_sight(const std::vector<int>& heights, int current, int before) {
   const int count = static_cast<int>(heights.size());
   const auto rows_from = [&](int first, int last) {
     int rows = 0;
     for (int i = first; i <= last; ++i) rows += heights[static_cast<std::size_t>(i)];
     return rows;
   };
-  int first = std::max(current - kBefore, 0);
+  int first = std::max(current - before, 0);
   while (first < current && rows_from(first, current) > kRows) ++first;
   while (first > 0 && rows_from(first - 1, count - 1) <= kRows) --first;
   return first;
@@ -289,12 +293,15 @@ void write_lines(PanelBuilder& panel, std::optional<Line> shown) {
     if (marked != nullptr && marked->line == shown.value_or(Line::repeated))
       current = static_cast<int>(i);
   }
-  const int first = first_in_sight(heights, current);
+  const bool is_struct = shown == Line::simplex_vertex;  // its fields follow it
+  int first = first_in_sight(heights, current, is_struct ? 0 : kBefore);
   int last = first;
   int left = kRows - heights[static_cast<std::size_t>(first)];
   while (last + 1 < static_cast<int>(lines.size()) &&
          heights[static_cast<std::size_t>(last + 1)] <= left)
     left -= heights[static_cast<std::size_t>(++last)];
+  while (first > 0 && heights[static_cast<std::size_t>(first - 1)] <= left)
+    left -= heights[static_cast<std::size_t>(--first)];
   panel.heading(
       fmt::format("{}, lines {} to {} of {}", whole.name, first + 1, last + 1, lines.size()));
   for (int i = first; i <= last; ++i) {
@@ -314,9 +321,12 @@ void write_lines(PanelBuilder& panel, std::optional<Line> shown) {
 /// Writes variables: a name, on its right the value.
 struct Variables {
   PanelBuilder& panel;
-  void row(const std::string& name, const std::string& value, const std::string& what = "") {
+  /// `is_new`: the current line has set it.
+  void row(const std::string& name, const std::string& value, const std::string& what = "",
+           bool is_new = false) {
     panel.write("code", panel.left, name, type::kCode);
-    panel.write("code", panel.right, value, type::kCode, Align::right);
+    panel.write(is_new ? "code.value" : "code", panel.right, value,
+                is_new ? type::kCodeBold : type::kCode, Align::right);
     const auto width = [&](const std::string& text) {
       return panel.fonts.width(type::kCode, text);
     };
@@ -326,14 +336,20 @@ struct Variables {
       panel.write("code.muted", at, what, type::kCode);
     panel.y += rows::kTightRow;
   }
-  /// Two on one row, the second from the middle on.
-  void pair(const std::string& name, const std::string& value, const std::string& second,
-            const std::string& second_value) {
-    const double middle = 0.5 * (panel.left + panel.right);
-    panel.write("code", panel.left, name, type::kCode);
-    panel.write("code", middle - 14.0, value, type::kCode, Align::right);
-    panel.write("code", middle + 14.0, second, type::kCode);
-    panel.write("code", panel.right, second_value, type::kCode, Align::right);
+  struct Cell {
+    std::string name;
+    std::string value;
+  };
+  /// Several on one row, in columns of one width.
+  void cells(const std::vector<Cell>& all, int columns, bool are_new = false) {
+    constexpr double kGap = 24.0;
+    const double step = (panel.right - panel.left + kGap) / columns;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double at = panel.left + static_cast<double>(i) * step;
+      panel.write("code", at, all[i].name, type::kCode);
+      panel.write(are_new ? "code.value" : "code", at + step - kGap, all[i].value,
+                  are_new ? type::kCodeBold : type::kCode, Align::right);
+    }
     panel.y += rows::kTightRow;
   }
 };
@@ -357,7 +373,7 @@ void write_simplex(Variables& out, bool is_weighed) {
         fmt::format("s[{}]", i),
         braces(language, fmt::format("{}, {}, {}, {}", vertex.pair.x, vertex.pair.y,
                                      panel.numbers.point(vertex.w), panel.numbers.weight(weight))),
-        panel.words.vertex(i));
+        panel.words.vertex(i), panel.knows.phase_is(Phase::drop) || is_new);
   }
 }
 
@@ -371,11 +387,12 @@ void write_loop(Variables& out, const Steps& steps) {
                                   ? support_part(panel.run, panel.frame).value_or(SupportPart::of_z)
                                   : SupportPart::direction;
   if (const WideStep* step = steps[Phase::direction])
-    out.row("d", panel.numbers.point(step->after.d));
+    out.row("d", panel.numbers.point(step->after.d), "", panel.knows.phase_is(Phase::direction));
   if (reached >= SupportPart::of_y) {
     const gjk::VertexPair pair = support->after.support.pair;
     const bool knows_x = reached >= SupportPart::of_x;
-    out.pair("far_x", knows_x ? std::to_string(pair.x) : "", "far_y", std::to_string(pair.y));
+    out.cells({{"far_x", knows_x ? std::to_string(pair.x) : ""}, {"far_y", std::to_string(pair.y)}},
+              2, panel.knows.phase_is(Phase::support));
   }
 }
 
@@ -391,18 +408,19 @@ void write_regions(Variables& out, const Steps& steps) {
   const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
   };
-  if (s.count >= 2) out.pair("ab", edge(0, 1), "ba", edge(1, 0));
+  const bool are_new = panel.knows.gradual && panel.knows.tests_reached < 0;
+  if (s.count == 2) out.cells({{"ab", edge(0, 1)}, {"ba", edge(1, 0)}}, 2, are_new);
   if (s.count == 3) {
-    out.pair("bc", edge(1, 2), "cb", edge(2, 1));
-    out.pair("ca", edge(2, 0), "ac", edge(0, 2));
+    out.cells({{"ab", edge(0, 1)}, {"ba", edge(1, 0)}, {"bc", edge(1, 2)}}, 3, are_new);
+    out.cells({{"cb", edge(2, 1)}, {"ca", edge(2, 0)}, {"ac", edge(0, 2)}}, 3, are_new);
     const double abc = cross(w(1) - w(0), w(2) - w(0));
     const auto part = [&](int i, int k) { return panel.numbers(abc * cross(w(i), w(k))); };
-    out.pair("a", part(1, 2), "b", part(2, 0));
-    out.pair("c", part(0, 1), "abc", panel.numbers(abc));
+    out.cells({{"a", part(1, 2)}, {"b", part(2, 0)}, {"c", part(0, 1)}}, 3, are_new);
+    out.cells({{"abc", panel.numbers(abc)}}, 3, are_new);
   }
   const auto& knows = panel.knows;
   const bool holds = !knows.gradual || knows.closest_point;
-  if (knows.gradual && knows.tests_reached >= 0 && !holds) out.row("this test", "false");
+  if (knows.gradual && knows.tests_reached >= 0 && !holds) out.row("this test", "false", "", true);
   if (!holds) return;
   std::string kept;
   for (int i = 0; i < s.count; ++i) {
@@ -410,7 +428,7 @@ void write_regions(Variables& out, const Steps& steps) {
     kept += fmt::format("{}{} {}", kept.empty() ? "" : "  ", panel.words.vertex(i),
                         panel.numbers.weight(s.weights[i]));
   }
-  out.row("returns", kept);
+  out.row("returns", kept, "", true);
 }
 
 /// The newest vertex, field by field.
@@ -423,7 +441,8 @@ void write_vertex(Variables& out) {
   const bool is_python = language_of(panel.run.lesson.listing) == Language::python;
   out.row(is_python ? "len(s)" : "s.size()", std::to_string(simplex.count));
   out.row(is_python ? "s[-1]" : "s.back()", panel.words.vertex(newest));
-  out.pair("index_x", std::to_string(vertex.pair.x), "index_y", std::to_string(vertex.pair.y));
+  out.cells(
+      {{"index_x", std::to_string(vertex.pair.x)}, {"index_y", std::to_string(vertex.pair.y)}}, 2);
   out.row("w", panel.numbers.point(vertex.w));
   out.row("weight", panel.numbers.weight(is_weighed ? simplex.weights[newest] : 1.0));
 }
@@ -435,7 +454,7 @@ void write_support(Variables& out) {
   const int best = panel.state.support.pair.y;
   out.row("shape", fmt::format("{}, {} vertices", y.name, y.vertices.size()));
   out.row("d", panel.numbers.point(panel.state.d));
-  out.row("best", std::to_string(best), y.vertex_names[static_cast<std::size_t>(best)]);
+  out.row("best", std::to_string(best), y.vertex_names[static_cast<std::size_t>(best)], true);
 }
 
 void write_variables(PanelBuilder& panel, std::optional<Line> line, const Steps& steps) {
