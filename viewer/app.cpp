@@ -13,10 +13,12 @@
 #include "files.hpp"
 #include "lesson/chapters.hpp"
 #include "lesson/load.hpp"
+#include "lesson/names.hpp"
 #include "paint/svg.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "subjects/grid/grid.hpp"
+#include "subjects/run/code.hpp"
 #include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
@@ -516,6 +518,28 @@ void App::make_commands() {
   const std::vector<std::string> themes = Theme::names(paths_.share / "assets" / "themes");
   for (const std::string& theme : themes)
     add("View", "Theme " + theme, {}, [this, theme] { set_theme(theme); });
+  const auto has_code = [&] {
+    return code::in_language(session_.lesson().listing, Language::cpp).has_value();
+  };
+  add(
+      "View", "Next language of the listing", {"C"},
+      [&] {
+        constexpr int kCount = Named<Language>::kTable.size();
+        Lesson lesson = session_.lesson();
+        const int now = static_cast<int>(code::language_of(lesson.listing));
+        const auto next = static_cast<Language>((now + 1) % kCount);
+        lesson.listing = code::in_language(lesson.listing, next).value_or(lesson.listing);
+        edit("listing", std::move(lesson));
+      },
+      has_code);
+  add(
+      "Edit", "Copy the code of the listing", {},
+      [&] {
+        const code::Page page = code::page(code::language_of(session_.lesson().listing));
+        if (copy) copy(std::string(page.text));
+        say(fmt::format("copied {}, whole", page.name));
+      },
+      has_code);
   add("View", "Next theme", {"T"}, [this, themes] {
     const auto now = std::find(themes.begin(), themes.end(), theme_name_);
     set_theme(now == themes.end() || now + 1 == themes.end() ? themes.front() : *(now + 1));

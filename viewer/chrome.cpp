@@ -227,11 +227,11 @@ void App::draw_top_bar() {
   const ImGuiStyle& style = ImGui::GetStyle();
   draw_menu("File", {"Open", "Save", "Save as", "Revert to what is saved", "", "Export frames", "",
                      "Copy as case", "Copy the frame as SVG text", "Copy the frame in words",
-                     "Paste a case", "", "Quit"});
+                     "Copy the code of the listing", "Paste a case", "", "Quit"});
   ImGui::SameLine();
   draw_menu("View", {"Lessons", "Presenter mode", "Fit", "Grid and axes", "Snap to round numbers",
-                     "", "Next theme", "Larger panels", "Smaller panels", "", "Any command",
-                     "Where to begin", "Keys"});
+                     "Next language of the listing", "", "Next theme", "Larger panels",
+                     "Smaller panels", "", "Any command", "Where to begin", "Keys"});
   ImGui::SameLine();
   if (room_.folded) {
     std::vector<std::string_view> names;

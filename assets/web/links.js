@@ -122,6 +122,19 @@ async function copy() {
   $("copied").textContent = "Copied.";
 }
 
+/** The whole file of which the listing is a part; where nothing can be copied, it is shown. */
+async function copyCode() {
+  const file = await ask({ do: "code" });
+  if (file?.text === undefined) return;
+  try {
+    await navigator.clipboard.writeText(file.text);
+    tell(`Copied ${file.name}, the whole file.`);
+  } catch {
+    offer(file.name, "The whole file:", file.text);
+    copy();
+  }
+}
+
 function save(name, blob) {
   const url = URL.createObjectURL(blob);
   element("a", { href: url, download: name }).click();

@@ -81,7 +81,7 @@ function tellOfHulls() {
 
 function show(next, moves) {
   const last = state;
-  state = { ...last, ...next, question: next.question };
+  state = { ...last, ...next, question: next.question, listing: next.listing };
   if (next.numbers) state.shapes = next.shapes;  // none where there are too many vertices to list
   const focused = document.activeElement;
   endMotion();
@@ -90,6 +90,7 @@ function show(next, moves) {
   else putStage(state.stage);
   $("panel").hidden = !state.panel;
   if (state.panel) putPanel();
+  showListing();
   if ($("timeline").markup !== state.timeline) put($("timeline"), state.timeline, "img");
   setText("position", state.position);
   for (const id of ["prose", "caption", "detail"]) setWords(id, state.terms[id]);

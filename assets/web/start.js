@@ -12,7 +12,7 @@ function connect() {
     back: () => step(-1), step: () => step(1), iteration: () => iteration(1),
     "iteration-back": () => iteration(-1), play, predict,
     undo: () => act({ do: "undo" }), redo: () => act({ do: "redo" }),
-    reset: () => act({ do: "reset" }), svg: saveSvg, png: savePng, copy, cancel,
+    reset: () => act({ do: "reset" }), svg: saveSvg, png: savePng, copy, "copy-code": copyCode, cancel,
     share: async () => stop() || offer("Share", "This link holds the lesson, the step and what was changed.", await address()),
     embed: async () => stop() || offer("Embed", "This line shows the figure in another page.",
       `<iframe src="${(await address("&embed")).replaceAll('"', "%22")}" width="960" height="720" title="${document.title.replaceAll('"', "&quot;")}"></iframe>`),
@@ -27,6 +27,7 @@ function connect() {
     }
     layout();
   };
+  $("language").onchange = () => act({ do: "listing", language: $("language").value });
   $("hex").onchange = () => showAsHex($("hex").checked);
   $("numbers-part").ontoggle = showNumbers;
   $("vertices-part").ontoggle = showVertices;

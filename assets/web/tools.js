@@ -23,6 +23,20 @@ function showTools(next, last) {
   }
 }
 
+const LANGUAGES = { pseudocode: "pseudocode", cpp: "C++", python: "Python" };
+
+/** Lessons whose listing has code can show it in each language. */
+function showListing() {
+  $("listing").hidden = !state.listing;
+  if (!state.listing) return;
+  const { language, languages } = state.listing;
+  const select = $("language");
+  if (!select.children.length)
+    select.append(...languages.map((value) => element("option", { value, textContent: LANGUAGES[value] })));
+  select.value = language;
+  $("copy-code").hidden = language === "pseudocode";
+}
+
 /** A question for two vertices has two short lists, which may be answered in either order. */
 function showChoices({ choices, pair }) {
   const button = (textContent, onclick) => element("button", { type: "button", textContent, onclick });

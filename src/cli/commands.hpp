@@ -18,6 +18,7 @@
 #include "lesson/names.hpp"
 #include "outlines/outline.hpp"
 #include "site/site.hpp"
+#include "subjects/run/code.hpp"
 
 namespace gjkscope {
 
@@ -40,6 +41,7 @@ struct Environment {
 struct LessonChoice {
   std::vector<std::string> names;
   bool all = false;
+  std::optional<Language> language = {};  ///< Of listings that have code, instead of the lessons'.
 };
 
 int list_lessons(const Environment& env, bool json);

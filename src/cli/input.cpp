@@ -89,6 +89,10 @@ FoundLessons find_lessons(const Environment& env, const LessonChoice& choice) {
       all.exit_code = std::max(all.exit_code, found.exit_code);
     }
   }
+  for (Lesson& lesson : all.lessons) {
+    if (!choice.language) break;
+    lesson.listing = code::in_language(lesson.listing, *choice.language).value_or(lesson.listing);
+  }
   if (all.exit_code == kDone && all.lessons.empty()) {
     env.err << fmt::format("gjkscope: {} holds no lessons\n", folder.string());
     all.exit_code = kCannot;

@@ -89,6 +89,11 @@ void add_export_look(CLI::App* command, Arguments& args) {
   command->add_option("--theme", options.theme, "Colours: light, dark, print or high-contrast")
       ->capture_default_str();
   command->add_flag("--transparent", options.transparent, "No background: png, svg, pdf, tex");
+  parsed(command, "--listing", args.lessons.language, value_of<Language>,
+         "one of pseudocode, cpp, python",
+         "How listings are written: pseudocode; or a page of C++ or Python, the line of each step "
+         "and its variables, for the algorithms that the page has. If not given, as lessons say")
+      ->type_name("pseudocode|cpp|python");
   command->add_option("--crop", args.crop, "stage: the views alone, for slides")
       ->check(CLI::IsMember({"stage"}));
   command
@@ -154,6 +159,7 @@ void add_export(CLI::App& app, Arguments& args) {
       "goes there.\n\n"
       "Examples:\n  gjkscope export --all --out out --index\n"
       "  gjkscope export polygons-gjk --out out --size 1920x1080 --steps 2..5 --theme dark\n"
+      "  gjkscope export polygons-gjk --out out --listing python\n"
       "  gjkscope export polygons-gjk --out polygons.pdf --theme print --handout 4\n"
       "  gjkscope export polygons-gjk --out polygons.gif --size 960x540 --fps 20\n"
       "  gjkscope export polygons-gjk --steps 3 --out figure.svg --crop stage --transparent\n"

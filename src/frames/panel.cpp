@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "subjects/run/code.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -12,6 +13,10 @@ std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects, const 
   // A question at a new place would be answered by the numbers there.
   if (frame.question >= 0 && run.act->asking != nullptr) {
     panel.heading("The numbers come with the answer.");
+    return std::move(panel.marks);
+  }
+  if (code::language_of(run.lesson.listing) != Language::pseudocode) {
+    code::write(panel);  // with the values of its variables it needs the room of all blocks
     return std::move(panel.marks);
   }
   for (const std::string& name : run.lesson.panel) {

@@ -24,7 +24,7 @@ class Notes {
     judging::Iteration next;
     next.line = static_cast<int>(log_.iterations.size()) + 1;
     for (const auto& v : simplex) {
-      next.simplex.push_back({v.x, v.y});
+      next.simplex.push_back({v.index_x, v.index_y});
       next.points.emplace_back(v.w.x(), v.w.y(), 0);
     }
     log_.iterations.push_back(std::move(next));
@@ -32,7 +32,7 @@ class Notes {
   void kept(const auto& simplex) {
     judging::Iteration& now = log_.iterations.back();
     for (const auto& v : simplex) {
-      now.kept.push_back({v.x, v.y});
+      now.kept.push_back({v.index_x, v.index_y});
       now.weights.push_back(v.weight);
     }
     now.closest = closest(simplex);
@@ -72,7 +72,7 @@ class Notes {
 #define MISTAKE(space, name, meaning, line, by)                             \
   Mistake{name, meaning, line, by, [](const Polygon& x, const Polygon& y) { \
             Notes notes(x, y);                                              \
-            return notes.ended(::space::gjk(x, y, kCap, notes));            \
+            return notes.ended(::space::gjk({x, y}, kCap, notes).simplex);  \
           }},
 // NOLINTEND(bugprone-macro-parentheses)
 constexpr std::array kMistakes = {

@@ -15,6 +15,7 @@
 #include "run/trace_json.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
+#include "subjects/run/code.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/two_runs/log_lesson.hpp"
 #include "web/json.hpp"
@@ -110,6 +111,7 @@ std::string Player::answer(std::string_view request) {
       {"add", [](Player& p, const Asked& a) { p.add_vertex(a); }},
       {"nudge", [](Player& p, const Asked& a) { p.nudge(a); }},
       {"numerics", [](Player& p, const Asked& a) { p.set_numerics(a); }},
+      {"listing", [](Player& p, const Asked& a) { p.set_language(a); }},
       {"undo", [](Player& p, const Asked&) { p.session_.undo(Session::Cameras::as_then); }},
       {"redo", [](Player& p, const Asked&) { p.session_.redo(Session::Cameras::as_then); }},
       {"reset", [](Player& p, const Asked&) { p.reset(); }},
@@ -123,6 +125,7 @@ std::string Player::answer(std::string_view request) {
       {"point", [](Player& p, const Asked& a) { return p.linked(a.point()); }},
       {"lesson", [](Player& p, const Asked&) { return p.lesson_file(); }},
       {"vertices", [](Player& p, const Asked&) { return p.all_vertices(); }},
+      {"code", [](Player& p, const Asked&) { return p.code_page(); }},
       {"trace", [](Player& p, const Asked&) { return p.trace(); }},
       {"frame", [](Player& p, const Asked&) { return p.whole_frame(); }},
       {"print", [](Player& p, const Asked&) { return p.for_paper(); }},
@@ -384,6 +387,17 @@ void Player::nudge(const Asked& asked) {
   Lesson lesson = session_.lesson();
   edit::nudge(lesson, body, index, run, by);
   change("move", lesson);
+}
+
+void Player::set_language(const Asked& asked) {
+  Lesson lesson = session_.lesson();
+  const auto language = value_of<Language>(asked.text("language"));
+  if (!language)
+    throw std::runtime_error(fmt::format("there is no language '{}'", asked.text("language")));
+  const auto listing = code::in_language(lesson.listing, *language);
+  if (!listing) throw std::runtime_error("the lesson has no listing with code");
+  lesson.listing = *listing;
+  change("listing", lesson);
 }
 
 void Player::set_numerics(const Asked& asked) {

@@ -48,9 +48,11 @@ class Player {
   void add_vertex(const Asked& asked);
   void nudge(const Asked& asked);
   void set_numerics(const Asked& asked);
+  void set_language(const Asked& asked);
   [[nodiscard]] std::string linked(const Point& at);
   [[nodiscard]] std::string lesson_file() const;
   [[nodiscard]] std::string all_vertices() const;
+  [[nodiscard]] std::string code_page() const;
   [[nodiscard]] std::string trace() const;
   [[nodiscard]] std::string whole_frame() const;
   [[nodiscard]] std::string for_paper();

@@ -16,6 +16,7 @@
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
 #include "subjects/depth/penetration.hpp"
+#include "subjects/run/code.hpp"
 #include "web/json.hpp"
 #include "web/player.hpp"
 
@@ -223,6 +224,12 @@ std::string Player::all_vertices() const {
   return dumped({{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}});
 }
 
+/// The whole file of which the listing is a part.
+std::string Player::code_page() const {
+  const code::Page page = code::page(code::language_of(session_.lesson().listing));
+  return dumped({{"name", page.name}, {"text", page.text}});
+}
+
 std::string Player::panel_svg(const Theme& theme) {
   std::string values;
   for (const auto& [name, value] : session_.text().values)
@@ -316,6 +323,10 @@ std::string Player::shown(const std::string& understood) {
   if (!lesson.panel.empty()) {
     out["panel"] = panel_svg(theme_);
     out["terms"]["panel"] = terms_on(panel(session_.frame(), panel_width_), fonts_, terms_);
+  }
+  if (code::in_language(lesson.listing, Language::pseudocode)) {
+    out["listing"] = {{"language", name_of(code::language_of(lesson.listing))},
+                      {"languages", names_of<Language>()}};
   }
   if (const FrameQuestion* question = session_.question()) {
     out["question"] = {{"ask", question->ask}, {"choices", question->choices}};

@@ -34,12 +34,9 @@ textbook::Polygon world(const std::vector<gjk::Vec<double, 2>>& shape,
 }
 
 Parting parting_of(const textbook::Polygon& x, const textbook::Polygon& y) {
-  constexpr int kCap = 64;
-  const textbook::Simplex simplex = textbook::gjk(x, y, kCap);
-  const bool is_inside = simplex.size() == 3;
-  textbook::Point p(0, 0);
-  for (const textbook::Vertex& vertex : simplex) p += vertex.weight * vertex.w;
-  const double distance = is_inside ? 0.0 : p.norm();
+  const textbook::Output out = textbook::gjk({x, y});
+  const bool is_inside = out.simplex.size() == 3;
+  const double distance = out.distance;
   double size = 0;
   for (const textbook::Point& a : x) {
     for (const textbook::Point& b : y) size = std::max(size, (b - a).norm());

@@ -32,11 +32,11 @@ class Writer {
   // The notes of the loop.
   void simplex(const auto& simplex) {
     gjkscope_log_iteration(&log_);
-    for (const auto& v : simplex) gjkscope_log_pair(&log_, "simplex", v.x, v.y);
+    for (const auto& v : simplex) gjkscope_log_pair(&log_, "simplex", v.index_x, v.index_y);
     for (const auto& v : simplex) gjkscope_log_point(&log_, "points", v.w.x(), v.w.y(), 0);
   }
   void kept(const auto& simplex) {
-    for (const auto& v : simplex) gjkscope_log_pair(&log_, "kept", v.x, v.y);
+    for (const auto& v : simplex) gjkscope_log_pair(&log_, "kept", v.index_x, v.index_y);
     for (const auto& v : simplex) gjkscope_log_weight(&log_, v.weight);
     const Eigen::Vector2d p = closest(simplex);
     gjkscope_log_vector(&log_, "closest", p.x(), p.y(), 0);
@@ -76,10 +76,10 @@ struct Loop {
   std::string_view name;
   std::string (*log_of)(const Polygon& x, const Polygon& y);  ///< The log of its run.
 };
-#define MISTAKE(name, file_name, meaning, line, by)      \
-  Loop{#name, [](const Polygon& x, const Polygon& y) {   \
-         Writer log(x, y);                               \
-         return log.ended(::name::gjk(x, y, kCap, log)); \
+#define MISTAKE(name, file_name, meaning, line, by)                \
+  Loop{#name, [](const Polygon& x, const Polygon& y) {             \
+         Writer log(x, y);                                         \
+         return log.ended(::name::gjk({x, y}, kCap, log).simplex); \
        }},
 inline const std::vector<Loop> kLoops = {
 #include "mistakes/mistakes.def"

@@ -721,6 +721,31 @@ TEST(App, CopiesTheFrameAsSvgTextAndInWords) {
   EXPECT_EQ(alternative_text(window.session().text()), clipboard);
 }
 
+TEST(App, TheListingIsCodeByAKeyAndIsCopiedWhole) {
+  HeadlessApp window("polygons-gjk");
+  std::string clipboard;
+  window.app().copy = [&](const std::string& text) { clipboard = text; };
+  const auto current = [&] {
+    std::string out;
+    for (const Mark& mark : window.session().picture().marks) {
+      const Text* text = std::get_if<Text>(&mark.shape);
+      if (text && mark.role == "code.current") out += text->text;
+    }
+    return out;
+  };
+  EXPECT_TRUE(current().starts_with("S ←")) << current();
+  for (const auto& [line, name] :
+       {std::pair("Simplex s =", "textbook.hpp"), {"s = [SimplexVertex(", "textbook.py"}}) {
+    window.key("C");
+    EXPECT_TRUE(current().starts_with(line)) << current();
+    window.app().run_command("Copy the code of the listing");
+    const auto file = std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "tests" / "gjk" / name;
+    EXPECT_EQ(read_whole(file), clipboard);
+  }
+  window.key("C");
+  EXPECT_TRUE(current().starts_with("S ←")) << current();
+}
+
 /// Frames until the export that was begun has ended.
 void end_export(HeadlessApp& window) {
   constexpr int kMost = 6000;

@@ -410,6 +410,32 @@ action("values are shown in decimal and hex", async (visit) => {
   await close(page);
 });
 
+action("the listing becomes code, is copied by a click, and the link holds it", async (visit) => {
+  const page = await visit(url("polygons-gjk", "#step=5"));
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  assert.ok(!(await page.locator("#copy-code").isVisible()), "pseudocode is no file");
+  for (const [language, name, line] of [["cpp", "textbook.hpp", "Simplex"], ["python", "textbook.py", "SimplexVertex"]]) {
+    await page.selectOption("#language", language);
+    await rest(page);
+    assert.ok((await page.locator("#panel").textContent()).includes(`${name}, lines`));
+    await page.click("#copy-code");
+    await rest(page);
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    assert.equal(copied, read(`tests/gjk/${name}`));
+    assert.ok(copied.includes(line));
+  }
+  await until(page, () => location.hash.includes("lesson="));
+  const again = await visit(await page.evaluate(() => location.href));
+  await rest(again);
+  assert.equal(await again.inputValue("#language"), "python");
+  assert.ok((await again.locator("#panel").textContent()).includes("textbook.py, lines"));
+  await close(again);
+  const without = await visit(url("lin-canny"));
+  assert.ok(!(await without.locator("#listing").isVisible()), "no code for this listing");
+  await close(without);
+  await close(page);
+});
+
 action("scalar and rules are chosen, and the run follows", async (visit) => {
   const page = await visit(url("direction-half"));
   await page.locator("summary", { hasText: "How the run computes" }).click();

@@ -31,6 +31,8 @@ for (const file of lessons) {
   ask({ do: "press", x: 300, y: 200 });
   ask({ do: "move", x: 333.3, y: 222.2 });
   ask({ do: "release" });
+  for (const language of ["cpp", "python"]) ask({ do: "listing", language });
+  ask({ do: "code" });
   ask({ do: "predict", on: true });
   ask({ do: "step", by: 5 });
   ask({ do: "print" });

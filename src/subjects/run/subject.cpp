@@ -1,5 +1,6 @@
 #include "subjects/run/subject.hpp"
 
+#include "subjects/run/code.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -9,7 +10,11 @@ const SubjectParts subjects::run{
     .blocks = {&blocks::kSimplex, &blocks::kScan, &blocks::kBounds, &blocks::kDirectionRules,
                &blocks::kPseudocode, &blocks::kStopTests, &blocks::kTests, &blocks::kRegions},
     .listings = {&listings::kSegment, &listings::kTriangle, &listings::kStructures,
-                 &listings::kSupport, &listings::kGjkPoint, &listings::kGjk},
+                 &listings::kSupport, &listings::kGjkPoint, &listings::kGjk, &listings::kSegmentCpp,
+                 &listings::kSegmentPython, &listings::kTriangleCpp, &listings::kTrianglePython,
+                 &listings::kStructuresCpp, &listings::kStructuresPython, &listings::kSupportCpp,
+                 &listings::kSupportPython, &listings::kGjkPointCpp, &listings::kGjkPointPython,
+                 &listings::kGjkCpp, &listings::kGjkPython},
     .layers = {&layers::kOtherNormal, &layers::kShapes, &layers::kQueryPoint},
     .effects = {&effect_infos::kDirectionRules, &effect_infos::kHistory,
                 &effect_infos::kOtherNormal, &effect_infos::kVoronoiRegions},
