@@ -537,7 +537,7 @@ std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const Site
     throw std::runtime_error(fmt::format("cannot make the folder {}: {}", options.out_dir.string(),
                                          error ? error.message() : "there is a file"));
   }
-  remove_leftovers(options.out_dir);
+  for (const char* folder : {"", "shared", "cards"}) remove_leftovers(options.out_dir / folder);
   if (!options.force) writer.refuse_foreign_files(lessons);
   for (std::size_t i = 0; i < lessons.size(); ++i)
     writer.write_lesson(lessons[i],

@@ -9,7 +9,7 @@ import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdir
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { deflateRawSync } from "node:zlib";
+import { deflateRawSync, inflateRawSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 import { read, root, startProgram } from "./program.mjs";
@@ -1166,6 +1166,7 @@ claim("only lessons that have questions offer them", async () => {
     const told = page.match(/<script type="application\/json" id="data">(.*?)<\/script>/s);
     if (!told) return false;
     const { lesson, files } = JSON.parse(told[1]);
+    for (const [file, packed] of Object.entries(files)) files[file] = inflateRawSync(Buffer.from(packed, "base64")).toString();
     const { count: steps } = program({ do: "open", lesson, files, name });
     const asks = program({ do: "predict", on: true }).count > steps;
     program({ do: "predict", on: false });
