@@ -32,9 +32,13 @@ export default [
     rules: { ...rules, "no-redeclare": ["error", { builtinGlobals: false }] },
   },
   {
+    files: ["**/assets/web/service-worker.js"],
+    languageOptions: { globals: readonly(["registration", "caches", "fetch", "Response", "VERSION", "FILES"]) },
+  },
+  {
     files: ["**/*.mjs"],
     languageOptions: {
-      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "sent", "waiting", "worker", "paper", "axe"]),
+      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "sent", "waiting", "worker", "paper", "axe", "caches"]),
     },
     rules,
   },

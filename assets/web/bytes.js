@@ -8,6 +8,11 @@ function bytesOf(base64) {
   return bytes;
 }
 
+/** A text from base64 of its bytes, deflated. */
+async function inflated(base64) {
+  return new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytesOf(base64)));
+}
+
 async function through(stream, bytes, most = Infinity) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts = [];

@@ -58,6 +58,18 @@ function showBusy(on) {
   keepFocus(focused);
 }
 
+/** The text of an element; of one that is in a file for all pages, when that has come and put it there. */
+async function textOf(id) {
+  const { dataset } = $(id);
+  if (dataset.file && !$(id).textContent) {
+    await new Promise((done, fail) => {
+      const onerror = () => fail(new Error(`${dataset.file.split("?")[0]} is not there`));
+      document.head.append(element("script", { src: dataset.file, onload: done, onerror }));
+    });
+  }
+  return $(id).textContent;
+}
+
 /** Starts the program, in place of one that there is: what that was asked is given up. */
 async function startProgram() {
   worker?.terminate();
@@ -71,7 +83,7 @@ async function startProgram() {
   const wasm = module ? undefined : $("wasm").textContent;
   const started = await new Promise((done) => {
     sent = null;
-    waiting.unshift({ message: { module, wasm, fonts: $("fonts").textContent, assets: data.assets }, done });
+    waiting.unshift({ message: { module, wasm, fonts: $("fonts").textContent, assets: JSON.parse($("assets").textContent) }, done });
     sendNext();
   });
   if (started?.stopped !== undefined) throw new Error(started.stopped);

@@ -52,7 +52,8 @@ function heightOf(width, left, zoom) {
 
 // A page that was cut off on its way has no script that would start it.
 addEventListener("load", () => {
-  if (!CAN_RUN || document.getElementById("data")?.dataset.starts) return;
+  const stage = document.getElementById("stage");
+  if (!CAN_RUN || !stage || document.getElementById("data")?.dataset.starts) return;
   document.documentElement.classList.remove("js");
   const problem = document.getElementById("problem");
   problem.textContent = "This page did not arrive as a whole, so nothing here can be stepped or dragged. Reload it.";

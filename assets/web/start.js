@@ -72,6 +72,8 @@ async function start() {
   const link = location.hash;
   $("data").dataset.starts = true;
   $("theme").value = chosenTheme();
+  await textOf("wasm");
+  for (const [name, text] of Object.entries(data.files)) data.files[name] = await inflated(text);
   await startProgram();
   state = await openLesson();
   connect();
@@ -84,6 +86,7 @@ async function start() {
   root.dataset.live = true;
   await follow(link);
   root.dataset.ready = Math.round(performance.now());
+  window.keepSite?.();
 }
 
 if (CAN_RUN) start().catch(cannotStart);

@@ -164,7 +164,10 @@ int export_pages_command(const Environment& env, const LessonChoice& choice,
     for (const fs::path& file : files) list.push_back(file.string());
     env.out << Json{{"files", std::move(list)}}.dump(2) << '\n';
   } else {
-    env.out << fmt::format("{} pages in {}\n", files.size(),
+    const auto pages = std::count_if(files.begin(), files.end(), [](const fs::path& file) {
+      return file.extension() == ".html";
+    });
+    env.out << fmt::format("{} pages in {}\n", pages,
                            (options.out_dir / options.file_name).string());
   }
   return flushed(env) ? kDone : kCannot;

@@ -61,6 +61,7 @@ struct Arguments {
   std::string name;
   std::vector<std::string> files;
   bool json = false;
+  bool single = false;
   bool markdown = false;
   ScalarKind scalar = ScalarKind::double_;
   ModelMethod method = ModelMethod::boxes;
@@ -148,7 +149,10 @@ void add_export(CLI::App& app, Arguments& args) {
   command->add_flag("--no-questions{false}", options.questions,
                     "Leave out the frames that ask a question");
   command->add_flag("--index", options.index,
-                    "Also write index.html: of png a contact sheet, of pages their index");
+                    "Also write index.html: of png a contact sheet, of pages their index, a "
+                    "playground, and what they share, once, in shared/ and cards/");
+  command->add_flag("--single", args.single,
+                    "html: also with --index each page is one file that needs no other");
   command->add_flag(
       "--force", options.force,
       "Replace files that gjkscope did not export, and export again what is up to date");
@@ -163,7 +167,8 @@ void add_export(CLI::App& app, Arguments& args) {
       "  gjkscope export polygons-gjk --out polygons.pdf --theme print --handout 4\n"
       "  gjkscope export polygons-gjk --out polygons.gif --size 960x540 --fps 20\n"
       "  gjkscope export polygons-gjk --steps 3 --out figure.svg --crop stage --transparent\n"
-      "  gjkscope export --all --out site --format html --index\n");
+      "  gjkscope export --all --out site --format html --index\n"
+      "  gjkscope export polygons-gjk --out polygons.html\n");
 }
 
 void add_commands(CLI::App& app, Arguments& args) {
@@ -415,7 +420,7 @@ void add_commands(CLI::App& app, Arguments& args) {
 
 constexpr std::string_view kDrawn = "png, svg, pdf, tex, gif, apng, mp4, webm";
 /// Options that only some formats take, each with these formats.
-constexpr std::array<std::pair<const char*, std::string_view>, 13> kTakenBy = {{
+constexpr std::array<std::pair<const char*, std::string_view>, 14> kTakenBy = {{
     {"--size", kDrawn},
     {"--theme", kDrawn},
     {"--steps", kDrawn},
@@ -426,6 +431,7 @@ constexpr std::array<std::pair<const char*, std::string_view>, 13> kTakenBy = {{
     {"--dpi", "png, pdf, tex"},
     {"--transparent", "png, svg, pdf, tex"},
     {"--handout", "pdf"},
+    {"--single", "html"},
     {"--seconds", "gif, apng, mp4, webm"},
     {"--fps", "png, svg, gif, apng, mp4, webm"},
     {"--renderer", "png, gif, apng, mp4, webm"},
@@ -468,7 +474,8 @@ int run_export(const Environment& env, const CLI::App& command, Arguments& args)
   if (args.format == "html") {
     return export_pages_command(
         env, args.lessons,
-        {options.out_dir, env.share, options.index, options.force, options.file_name}, args.json);
+        {options.out_dir, env.share, options.index, args.single, options.force, options.file_name},
+        args.json);
   }
   options.format = *format_of(args.format);
   return export_command(env, args.lessons, options, args.json);

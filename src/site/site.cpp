@@ -1,20 +1,25 @@
 #include "site/site.hpp"
 
 #include <fmt/format.h>
+#include <libdeflate.h>
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <tuple>
 
 #include "base/file.hpp"
 #include "base/html.hpp"
+#include "base/sha256.hpp"
 #include "frames/frame.hpp"
 #include "lesson/chapters.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "paint/svg.hpp"
+#include "site/still.hpp"
 #include "subjects/subjects.hpp"
 #include "web/player.hpp"
 
@@ -38,6 +43,36 @@ std::string base64(std::string_view bytes) {
       out += k <= count ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
   }
   return out;
+}
+
+/// Deflated, in base64: what `inflated` of a page's script reads.
+std::string packed(const std::string& text) {
+  constexpr int kLevel = 12;
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::string out(libdeflate_deflate_compress_bound(compressor.get(), text.size()), '\0');
+  out.resize(libdeflate_deflate_compress(compressor.get(), text.data(), text.size(), out.data(),
+                                         out.size()));
+  return base64(out);
+}
+
+std::string hex_digest(std::string_view text) {
+  std::string out;
+  for (const std::uint8_t byte : sha256(text)) out += fmt::format("{:02x}", byte);
+  return out;
+}
+
+/// The source of a content policy that lets this inline script run.
+std::string hash_source(const std::string& script) {
+  const auto digest = sha256(script);
+  return fmt::format(" 'sha256-{}'",
+                     base64({reinterpret_cast<const char*>(digest.data()), digest.size()}));
+}
+
+/// A script that puts a text into an element of the page.
+std::string filling(const std::string& id, const std::string& text) {
+  return fmt::format("document.getElementById(\"{}\").textContent = {};\n", id, Json(text).dump());
 }
 
 /// `page` with each {{name}} replaced; what is put in is not looked through again.
@@ -104,13 +139,6 @@ fs::path file_of(const SiteOptions& options, const std::string& name) {
   return options.out_dir / (options.file_name.empty() ? name + ".html" : options.file_name);
 }
 
-/// Before anything is written.
-void refuse_foreign_pages(const std::vector<Lesson>& lessons, const SiteOptions& options) {
-  for (const Lesson& lesson : lessons) refuse_foreign(file_of(options, lesson.id));
-  if (!options.index) return;
-  for (const char* name : {"playground", "index", "about"}) refuse_foreign(file_of(options, name));
-}
-
 class SiteWriter {
  public:
   explicit SiteWriter(const SiteOptions& options)
@@ -122,21 +150,39 @@ class SiteWriter {
         dark_(Theme::load(assets_ / "themes", "dark")) {
     for (const std::string& name : Theme::names(assets_ / "themes")) {
       themes_[name] = read_whole(assets_ / "themes" / (name + ".toml"));
-      shared_["themes"] += theme_css(name, Theme::load(assets_ / "themes", name));
+      common_.style += theme_css(name, Theme::load(assets_ / "themes", name));
     }
     const fs::path web = program_folder();
-    shared_["wasm"] = base64(read_whole(web / "gjkscope.wasm.gz"));
-    shared_["fonts"] = read_whole(web / "fonts.css");
+    common_.wasm = base64(read_whole(web / "gjkscope.wasm.gz"));
+    common_.fonts = read_whole(web / "fonts.css");
+    common_.style += assets({"style.css"});
+    common_.head = assets({"theme.js", "room.js"});
+    common_.worker = assets({"bytes.js", "player.js", "worker.js"});
+    common_.script = assets({"bytes.js", "program.js", "motion.js", "terms.js", "page.js",
+                             "tools.js", "hand.js", "links.js", "kit.js", "start.js"});
+    const std::string room = "\n" + assets({"place.js"});
     shared_["generator"] = signature();
-    shared_["style"] = read_whole(assets_ / "web" / "style.css");
-    const auto add = [&](const char* part, std::initializer_list<const char*> names) {
-      for (const char* name : names) shared_[part] += read_whole(assets_ / "web" / name);
-    };
-    add("theme-script", {"theme.js"});
-    add("room-script", {"room.js"});
-    add("worker", {"bytes.js", "player.js", "worker.js"});
-    add("script", {"bytes.js", "program.js", "motion.js", "terms.js", "page.js", "tools.js",
-                   "hand.js", "links.js", "kit.js", "start.js"});
+    shared_["room"] = fmt::format("<script>{}</script>", room);
+    if (options.index && !options.single) {
+      put_common_beside_pages(room);
+    } else {
+      put_common_into_pages(room);
+    }
+  }
+
+  /// Before anything is written.
+  void refuse_foreign_files(const std::vector<Lesson>& lessons) const {
+    for (const Lesson& lesson : lessons) refuse_foreign(file_of(options_, lesson.id));
+    if (!options_.index) return;
+    for (const char* name : {"playground", "index", "about"})
+      refuse_foreign(file_of(options_, name));
+    if (!shares()) return;
+    refuse_foreign(options_.out_dir / kServiceWorker);
+    for (const auto& [name, text] : beside_) refuse_foreign(options_.out_dir / name);
+    for (const Lesson& lesson : lessons) {
+      for (const bool dark : {false, true})
+        refuse_foreign(options_.out_dir / card_file(lesson, dark));
+    }
   }
 
   void write_lesson(const Lesson& lesson, const Lesson* next) {
@@ -183,13 +229,112 @@ class SiteWriter {
   }
 
   void write_about() {
-    write_plain("about", "About · gjkscope", "Where these pages come from, and how to use them.",
-                {{"log", escape_html(read_whole(share_ / "src" / "judge" / "gjkscope_log.h"))}});
+    write_plain(
+        "about", "About · gjkscope", "Where these pages come from, and how to use them.",
+        {{"log", escape_html(read_whole(share_ / "src" / "judge" / "gjkscope_log.h"))},
+         {"along", shares() ? "These pages share what they need, and ask nobody else for "
+                              "anything. The folder works from a disk or a USB stick; from a "
+                              "server your browser keeps all of it for where there is no "
+                              "network. <code>gjkscope export NAME --format html --out .</code> "
+                              "makes one file of a lesson that needs no other."
+                            : "Each page is one file. Save it, and it opens from a disk or a "
+                              "USB stick, without a network; it asks nobody for anything."}});
+  }
+
+  /// What pages share, and what keeps all of it in a browser.
+  void write_files_beside_pages() {
+    if (!shares()) return;
+    for (const auto& [name, text] : beside_) {
+      fs::create_directories((options_.out_dir / name).parent_path());
+      write_file(options_.out_dir / name, text);
+    }
+    write_file(
+        options_.out_dir / kServiceWorker,
+        fmt::format("// {}\n\"use strict\";\n\nconst VERSION = \"{}\";\nconst FILES = {};\n{}",
+                    signature(), hex_digest(digests_).substr(0, 16), Json(kept_).dump(),
+                    assets({"service-worker.js"})));
   }
 
   std::vector<fs::path> files() && { return std::move(files_); }
 
  private:
+  static constexpr const char* kServiceWorker = "service-worker.js";
+
+  /// Texts that all pages need.
+  struct Common {
+    std::string fonts, style, head, worker, wasm, script;
+  };
+
+  /// Files of assets/web, one after the other.
+  [[nodiscard]] std::string assets(std::initializer_list<const char*> names) const {
+    std::string text;
+    for (const char* name : names) text += read_whole(assets_ / "web" / name);
+    return text;
+  }
+
+  /// Whether what pages have in common stands once beside them.
+  [[nodiscard]] bool shares() const { return !beside_.empty(); }
+
+  void put_common_into_pages(const std::string& room) {
+    const std::string head = "\n" + common_.head;
+    const std::string script = "\n" + common_.script;
+    shared_["head"] =
+        fmt::format("<style id=\"fonts\">\n{}</style>\n<style>\n{}</style>\n<script>{}</script>\n",
+                    common_.fonts, common_.style, head);
+    shared_["program"] = fmt::format(
+        "<script type=\"application/json\" id=\"assets\">{}</script>\n"
+        "<script type=\"text/plain\" id=\"worker\">\n{}</script>\n"
+        "<script type=\"text/plain\" id=\"wasm\">{}</script>\n<script>{}</script>\n",
+        script_text(assets_of_player()), common_.worker, common_.wasm, script);
+    plain_scripts_ = hash_source(head);
+    shared_["scripts"] = plain_scripts_ + hash_source(room) + hash_source(script);
+  }
+
+  /// Scripts, as a page of a disk can load nothing else. The program comes last, when the page
+  /// shows its first frame and asks for it.
+  void put_common_beside_pages(const std::string& room) {
+    const std::string comment = fmt::format("/* {} */\n", signature());
+    beside_["shared/fonts.css"] = comment + common_.fonts;  // for pages without a script
+    const std::string style = put_beside("shared/style.css", comment + common_.style);
+    const std::string head =
+        put_beside("shared/head.js", comment + common_.head + assets({"offline.js"}) +
+                                         filling("fonts", common_.fonts));
+    const std::string script =
+        put_beside("shared/page.js", comment + "\"use strict\";\n" +
+                                         filling("assets", assets_of_player().dump()) +
+                                         filling("worker", common_.worker) + common_.script);
+    const std::string program =
+        put_beside("shared/program.js", comment + filling("wasm", common_.wasm));
+    shared_["head"] = fmt::format(
+        "<link rel=\"stylesheet\" href=\"{}\">\n"
+        "<noscript><link rel=\"stylesheet\" href=\"shared/fonts.css\"></noscript>\n"
+        "<style id=\"fonts\"></style>\n<script src=\"{}\"></script>\n",
+        style, head);
+    shared_["program"] = fmt::format(
+        "<script type=\"application/json\" id=\"assets\"></script>\n"
+        "<script type=\"text/plain\" id=\"worker\"></script>\n"
+        "<script type=\"text/plain\" id=\"wasm\" data-file=\"{}\"></script>\n"
+        "<script src=\"{}\"></script>\n",
+        program, script);
+    shared_["self"] = plain_scripts_ = " 'self'";
+    shared_["scripts"] = plain_scripts_ + hash_source(room);
+  }
+
+  /// A file beside the pages. Returns its address, which changes with its content: what a browser
+  /// has kept of another version is not taken for it.
+  std::string put_beside(const std::string& name, const std::string& text) {
+    beside_[name] = text;
+    kept_.push_back(fmt::format("{}?{}", name, hex_digest(text).substr(0, 8)));
+    return kept_.back();
+  }
+
+  [[nodiscard]] static std::string card_file(const Lesson& lesson, bool dark) {
+    return fmt::format("cards/{}{}.svg", lesson.id, dark ? "-dark" : "");
+  }
+
+  /// What the player reads besides fonts.
+  [[nodiscard]] Json assets_of_player() const { return {{"themes", themes_}, {"terms", terms_}}; }
+
   /// The outcome of the run, as the page's script writes it.
   [[nodiscard]] static std::string answer_table(const Json& outcome) {
     std::string rows;
@@ -235,15 +380,14 @@ class SiteWriter {
   [[nodiscard]] Json page_data(const Lesson& lesson, const std::string& kind) const {
     Json files = Json::object();
     if (const auto& file = lesson.table.file)
-      files[fs::path(file->path).filename().string()] = *file->text;
+      files[fs::path(file->path).filename().string()] = packed(*file->text);
     return {{"kind", kind},
             {"id", lesson.id},
             {"name", lesson.id + ".toml"},
             {"views", lesson.views.size()},
             {"asks", asks(lesson)},
             {"lesson", lesson_toml(lesson)},
-            {"files", std::move(files)},
-            {"assets", {{"themes", themes_}, {"terms", terms_}}}};
+            {"files", std::move(files)}};
   }
 
   /// Whether the run of the lesson has a step that can be asked for before it is told.
@@ -270,10 +414,9 @@ class SiteWriter {
       }
       return answer;
     };
-    Json open = {{"do", "open"},
-                 {"lesson", data["lesson"]},
-                 {"name", data["name"]},
-                 {"files", data["files"]}};
+    Json open = {{"do", "open"}, {"lesson", data["lesson"]}, {"name", data["name"]}};
+    if (const auto& file = lesson.table.file)
+      open["files"][fs::path(file->path).filename().string()] = *file->text;
     const bool is_playground = data["kind"] == "playground";
     if (is_playground) open["depth"] = true;
     const Json opened = ask(open);
@@ -282,6 +425,7 @@ class SiteWriter {
       parts["answer"] = answer_table(last["outcome"]);
     }
     const bool two = lesson.views.size() > 1;
+    std::map<std::string, std::map<std::string, std::string>> pictures;  // by kind and size
     // In two sizes: those of the narrowest page with one column and with two, so that type never
     // shrinks.
     for (const auto& [name, width, height, panel] :
@@ -297,8 +441,14 @@ class SiteWriter {
         parts[key] = escape_html(first[key].get<std::string>());
       parts["count"] =
           fmt::format("{} / {}", first["index"].get<int>() + 1, first["count"].get<int>());
-      for (const char* key : {"stage", "panel"})
-        parts[key] += fmt::format("<div class=\"{}\">\n{}</div>\n", name, first.value(key, ""));
+      for (const char* key : {"stage", "panel"}) pictures[key][name] = still(first.value(key, ""));
+    }
+    for (auto& [key, sizes] : pictures) {
+      // A page stays small: a figure of that many marks is there in the size that fits anywhere.
+      constexpr std::size_t kMost = 1 << 16;
+      if (sizes["narrow"].size() + sizes["wide"].size() > kMost) sizes = {{"any", sizes["narrow"]}};
+      for (const auto& [name, svg] : sizes)
+        parts[key] += fmt::format("<div class=\"{}\">\n{}</div>\n", name, svg);
     }
     parts["title"] = escape_html(lesson.title);
     parts["views"] = two ? "two" : "one";
@@ -317,6 +467,7 @@ class SiteWriter {
   void write_plain(const std::string& name, const std::string& title, const std::string& about,
                    const std::map<std::string, std::string>& in_body) {
     std::map<std::string, std::string> parts = shared_;
+    parts["scripts"] = plain_scripts_;
     parts["name"] = name;
     parts["title"] = title;
     parts["about"] = about;
@@ -326,7 +477,7 @@ class SiteWriter {
   }
 
   /// The last frame without its words, which are too small to read there, and what it is about.
-  [[nodiscard]] std::string card(const Lesson& lesson) const {
+  [[nodiscard]] std::string card(const Lesson& lesson) {
     Lesson told = lesson;
     told.questions.clear();
     const LessonRun run = run_lesson(std::move(told));
@@ -337,11 +488,14 @@ class SiteWriter {
       return std::holds_alternative<Text>(mark.shape) || mark.role == "view-title.box";
     });
     std::string images;
-    for (const auto& [name, theme] : {std::pair("bright", &theme_), {"dim", &dark_}}) {
+    for (const bool dark : {false, true}) {
+      const std::string svg =
+          to_svg(picture, fonts_, dark ? dark_ : theme_, "", shares() ? signature() : "");
       images += fmt::format(
-          "<img class=\"{}\" src=\"data:image/svg+xml;base64,{}\" width=\"640\" height=\"360\" "
-          "alt=\"\" loading=\"lazy\">",
-          name, base64(to_svg(picture, fonts_, *theme, "")));
+          "<img class=\"{}\" src=\"{}\" width=\"640\" height=\"360\" alt=\"\" loading=\"lazy\">",
+          dark ? "dim" : "bright",
+          shares() ? escape_html(put_beside(card_file(lesson, dark), svg))
+                   : "data:image/svg+xml;base64," + base64(svg));
     }
     return fmt::format("<li><a href=\"{}.html\">{}<strong>{}</strong><span>{}</span></a></li>\n",
                        escape_html(lesson.id), images, escape_html(lesson.title),
@@ -350,8 +504,14 @@ class SiteWriter {
 
   void write(const std::string& name, const std::string& text) {
     const fs::path file = file_of(options_, name);
+    kept_.push_back(file.filename().string());
+    write_file(file, text);
+  }
+
+  void write_file(const fs::path& file, const std::string& text) {
     write_whole(file, text);
     files_.push_back(file);
+    digests_ += hex_digest(text);
   }
 
   const SiteOptions& options_;
@@ -362,7 +522,12 @@ class SiteWriter {
   Theme dark_;
   std::map<std::string, std::string> themes_;
   std::string terms_ = read_whole(assets_ / "terms.toml");
+  Common common_;
   std::map<std::string, std::string> shared_;  ///< Parts that all pages have.
+  std::string plain_scripts_;                  ///< Sources of scripts, of pages without a program.
+  std::map<std::string, std::string> beside_;  ///< Files beside the pages, by name.
+  std::vector<std::string> kept_;              ///< Addresses that a browser keeps.
+  std::string digests_;                        ///< Of all files.
   std::string page_ = read_whole(assets_ / "web" / "page.html");
   std::vector<fs::path> files_;
 };
@@ -377,8 +542,8 @@ std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const Site
     throw std::runtime_error(fmt::format("cannot make the folder {}: {}", options.out_dir.string(),
                                          error ? error.message() : "there is a file"));
   }
-  remove_leftovers(options.out_dir);
-  if (!options.force) refuse_foreign_pages(lessons, options);
+  for (const char* folder : {"", "shared", "cards"}) remove_leftovers(options.out_dir / folder);
+  if (!options.force) writer.refuse_foreign_files(lessons);
   for (std::size_t i = 0; i < lessons.size(); ++i)
     writer.write_lesson(lessons[i],
                         options.index && i + 1 < lessons.size() ? &lessons[i + 1] : nullptr);
@@ -387,6 +552,7 @@ std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const Site
     writer.write_index(lessons);
     writer.write_about();
   }
+  writer.write_files_beside_pages();
   return std::move(writer).files();
 }
 

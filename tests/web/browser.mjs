@@ -2,16 +2,18 @@
 // that does not hold ends it. An action is tried in four pairs of a size and a theme, so that each
 // size and each theme is among them; with --all, in all twelve pairs.
 // Usage: node browser.mjs SITE [--shots DIR] [--only WORD] [--all]
+// Pages that need no other file are made by the program that $GJKSCOPE names, or that is built here.
 import assert from "node:assert/strict";
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { createServer } from "node:http";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { deflateRawSync } from "node:zlib";
+import { deflateRawSync, inflateRawSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 import { read, root, startProgram } from "./program.mjs";
+import { serve } from "./server.mjs";
 
 const option = (name) => (process.argv.includes(name) ? process.argv[process.argv.indexOf(name) + 1] : null);
 const site = resolve(process.argv[2]);
@@ -37,7 +39,7 @@ const failures = [];
 
 const ready = (page) => page.locator("html[data-ready]").waitFor({ state: "attached" });
 
-/** A page that must not complain, nor ask anybody for anything. */
+/** A page that must not complain, nor ask for anything but what its site shares. */
 async function open(address, size = "laptop", { theme, waits = true, init, ...more } = {}) {
   const { width, height, touch } = SIZES[size];
   const context = await browser.newContext({ viewport: { width, height }, hasTouch: Boolean(touch), acceptDownloads: true, ...more });
@@ -46,7 +48,8 @@ async function open(address, size = "laptop", { theme, waits = true, init, ...mo
   page.on("console", (message) => message.type() === "error" && page.complaints.push(message.text()));
   page.on("pageerror", (error) => page.complaints.push(String(error)));
   page.on("request", (request) => {
-    if (!/^(data:|blob:)/.test(request.url()) && !request.isNavigationRequest()) page.complaints.push(`asks for ${request.url()}`);
+    const shared = ["shared/", "cards/"].some((folder) => request.url().startsWith(new URL(folder, address).href));
+    if (!/^(data:|blob:)/.test(request.url()) && !request.isNavigationRequest() && !shared) page.complaints.push(`asks for ${request.url()}`);
   });
   if (theme) await page.addInitScript((name) => localStorage.setItem("gjkscope-theme", name), theme);
   if (init) await page.addInitScript(init);
@@ -1117,21 +1120,18 @@ claim("an embedded figure fits its frame, and leads to the lesson", async () => 
 
 claim("on a slow line the controls have their room, and the page says that it gets ready; nothing moves when it is", async () => {
   for (const [lesson, size, width, height] of [["polygons-gjk", "laptop", 1366, 768], ["polygons-gjk", "phone", 360, 740], ["playground", "laptop", 1366, 768], ["playground", "phone", 360, 740], ["stop-vertex", "laptop", 740, 360]]) {
-    const whole = readFileSync(join(site, `${lesson}.html`));
-    const begun = whole.indexOf('<script type="text/plain" id="wasm">') + 40000;
     let goOn = null;
-    const server = createServer((_, response) => {
-      response.setHeader("Content-Type", "text/html");
-      response.write(whole.subarray(0, begun));
-      goOn = () => response.end(whole.subarray(begun));
+    const arrived = new Promise((done) => { goOn = done; });
+    const server = await serve(site, async (name) => {
+      if (name === "shared/program.js") await arrived;
+      return readFileSync(join(site, name));
     });
-    await new Promise((done) => server.listen(0, "127.0.0.1", done));
     const context = await browser.newContext({ viewport: { width, height }, hasTouch: size === "phone" });
     const page = await context.newPage();
     page.complaints = [];
-    page.goto(`http://127.0.0.1:${server.address().port}/`).catch(() => {});
+    page.goto(`${server.address}${lesson}.html`).catch(() => {});
     await page.locator(".transcript li").first().waitFor();
-    await until(page, () => document.getElementById("wasm"));
+    await until(page, () => document.getElementById("data")?.dataset.starts);
     assert.equal(await page.locator("#hint").textContent(), "Getting ready …");
     assert.ok(await page.locator("#step").isVisible());
     const ids = ["stage", "step", "scrub", "count", "position", "caption"];
@@ -1148,16 +1148,38 @@ claim("on a slow line the controls have their room, and the page says that it ge
   }
 });
 
-claim("a page that was cut off, or has no scripts, says so", async () => {
+/** In a new folder, by the command. */
+function exported(...options) {
+  const program = process.env.GJKSCOPE ?? ["release", "gcc", "dev"].map((build) => join(root, `build/${build}/bin/gjkscope`)).find(existsSync);
+  assert.ok(program, "there is no gjkscope in build; name one in $GJKSCOPE");
   const folder = mkdtempSync(join(tmpdir(), "gjkscope-"));
-  writeFileSync(join(folder, "cut.html"), readFileSync(join(site, "polygons-gjk.html")).subarray(0, 1_200_000));
-  const page = await open(pathToFileURL(join(folder, "cut.html")).href, "laptop", { waits: false });
+  execFileSync(program, ["export", "--format", "html", "--out", folder, ...options]);
+  return { folder, at: (name) => pathToFileURL(join(folder, name)).href };
+}
+
+claim("a page that was cut off, that lacks what its site shares, or has no scripts, says so", async () => {
+  const { folder, at } = exported("polygons-gjk");
+  writeFileSync(join(folder, "cut.html"), readFileSync(join(folder, "polygons-gjk.html")).subarray(0, 1_200_000));
+  const page = await open(at("cut.html"), "laptop", { waits: false });
   await page.locator("#problem", { hasText: /^This page did not arrive as a whole/ }).waitFor();
   assert.equal(await page.locator("#step").isVisible(), false);
   await close(page);
+  copyFileSync(join(site, "polygons-gjk.html"), join(folder, "alone.html"));
+  const alone = await open(at("alone.html"), "laptop", { waits: false });
+  await alone.locator("#problem", { hasText: /^This page is of a site, and needs the folder “shared” beside it/ }).waitFor();
+  await alone.context().close();
   rmSync(folder, { recursive: true });
+  const server = await serve(site, (name) => {
+    if (name === "shared/program.js") throw new Error("lost");
+    return readFileSync(join(site, name));
+  });
+  const without = await open(`${server.address}polygons-gjk.html`, "laptop", { waits: false });
+  await without.locator("#problem", { hasText: /cannot be made live here: shared\/program\.js is not there/ }).waitFor();
+  assert.equal(await without.locator("#stage svg:visible").count(), 1);
+  await without.context().close();
+  server.close();
   const plain = await open(url("playground"), "laptop", { javaScriptEnabled: false });
-  assert.match(await plain.locator("noscript").innerText(), /^Scripts are off, so nothing here can be stepped or dragged/);
+  assert.match(await plain.locator("main noscript").innerText(), /^Scripts are off, so nothing here can be stepped or dragged/);
   await plain.context().close();
 });
 
@@ -1170,6 +1192,7 @@ claim("only lessons that have questions offer them", async () => {
     const told = page.match(/<script type="application\/json" id="data">(.*?)<\/script>/s);
     if (!told) return false;
     const { lesson, files } = JSON.parse(told[1]);
+    for (const [file, packed] of Object.entries(files)) files[file] = inflateRawSync(Buffer.from(packed, "base64")).toString();
     const { count: steps } = program({ do: "open", lesson, files, name });
     const asks = program({ do: "predict", on: true }).count > steps;
     program({ do: "predict", on: false });
@@ -1471,15 +1494,104 @@ async function timesOfADrag(address) {
   return times.sort((a, b) => a - b);
 }
 
-claim("pages are small; how fast they are is printed", async () => {
-  const largest = Math.max(...pages.map((name) => statSync(join(site, name)).size));
-  assert.ok(largest <= 3e6, `${largest} bytes`);
+claim("a page that is exported alone, or with --single, is one file that opens from anywhere", async () => {
+  const one = exported("polygons-gjk");
+  const several = exported("stop-vertex", "--index", "--single");
+  assert.deepEqual(readdirSync(one.folder), ["polygons-gjk.html"]);
+  assert.deepEqual(readdirSync(several.folder).sort(), ["about.html", "index.html", "playground.html", "stop-vertex.html"]);
+  for (const [{ folder, at }, name] of [[one, "polygons-gjk"], [several, "stop-vertex"], [several, "playground"], [several, "index"], [several, "about"]]) {
+    copyFileSync(join(folder, `${name}.html`), join(folder, "copy.html"));
+    const page = await open(at("copy.html"));
+    if (await page.locator("#wasm").count()) {
+      await page.locator("body").press("Home");
+      await page.click("#step");
+      assert.equal((await count(page))[0], 2);
+    }
+    assert.deepEqual(await page.evaluate(() => performance.getEntriesByType("resource").map((each) => each.name).filter((each) => !/^(data|blob):/.test(each))), []);
+    await close(page);
+  }
+  for (const { folder } of [one, several]) rmSync(folder, { recursive: true });
+});
+
+claim("no script runs in a page but its own", async () => {
+  const { folder, at } = exported("stop-vertex", "--index", "--single");
+  const intrude = () => {
+    document.body.append(Object.assign(document.createElement("script"), { textContent: "window.intruded = 1;" }));
+    document.body.insertAdjacentHTML("beforeend", '<img src="data:," onerror="window.intruded = 2"><a id="intruder" href="javascript:window.intruded=3">x</a>');
+    document.body.append(Object.assign(document.createElement("script"), { src: "data:text/javascript,window.intruded=4" }));
+    document.getElementById("intruder").click();
+    return new Promise((done) => setTimeout(() => done(window.intruded), 300));
+  };
+  for (const address of ["stop-vertex", "playground", "index", "about"].flatMap((name) => [url(name), at(`${name}.html`)])) {
+    const page = await open(address);
+    assert.deepEqual(page.complaints, [], address);
+    assert.doesNotMatch(await page.locator("meta[http-equiv]").getAttribute("content"), /script-src[^;]*'unsafe-(inline|eval)'/);
+    assert.equal(await page.evaluate(intrude), undefined, address);
+    assert.ok(page.complaints.some((line) => /Content Security Policy/.test(line)), address);
+    await page.context().close();
+  }
+  rmSync(folder, { recursive: true });
+});
+
+claim("a site that a server gave once works without a network, until a newer one has come", async () => {
+  let newer = false;
+  const server = await serve(site, (name) => {
+    const bytes = readFileSync(join(site, name));
+    if (!newer) return bytes;
+    if (name === "service-worker.js") return Buffer.from(bytes.toString().replace(/VERSION = "/, '$&newer-'));
+    return name === "about.html" ? Buffer.from(bytes.toString().replace("<h1>About these pages", "<h1>Newer pages")) : bytes;
+  });
+  const page = await open(`${server.address}polygons-gjk.html`);
+  const context = page.context();
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  assert.deepEqual(page.complaints, []);
+  await context.setOffline(true);
+  for (const name of ["", "index.html", "playground.html", ...pages.filter((_, i) => i % 9 === 0)]) {
+    const visit = await context.newPage();
+    await visit.goto(server.address + name);
+    if (await visit.locator("#wasm").count()) await ready(visit);
+    else if (name === "index.html") {
+      await visit.locator(".cards img.bright").first().scrollIntoViewIfNeeded();
+      await until(visit, () => document.querySelector(".cards img.bright").naturalWidth > 0);
+    }
+    await visit.close();
+  }
+  await context.setOffline(false);
+  newer = true;
+  const old = await context.newPage();
+  await old.goto(`${server.address}about.html`);
+  assert.equal(await old.locator("h1").textContent(), "About these pages", "page and scripts are of one version");
+  await until(old, async () => Boolean((await navigator.serviceWorker.getRegistration()).waiting));
+  for (const each of context.pages()) await each.goto("about:blank");
+  const fresh = await context.newPage();
+  for (let i = 0; i < 20 && (await fresh.locator("h1").count() === 0 || (await fresh.locator("h1").textContent()) !== "Newer pages"); ++i) {
+    await fresh.goto("about:blank");
+    await fresh.waitForTimeout(200);
+    await fresh.goto(`${server.address}about.html`);
+  }
+  assert.equal(await fresh.locator("h1").textContent(), "Newer pages");
+  assert.equal(await fresh.evaluate(async () => (await caches.keys()).length), 1, "what is older is forgotten");
+  await context.close();
+  server.close();
+});
+
+claim("the site is at most 10 MB, a further page at most 90 kB", async () => {
+  const files = readdirSync(site, { recursive: true }).map((name) => join(site, name)).filter((file) => statSync(file).isFile());
+  const size = (file) => statSync(file).size;
+  const whole = files.reduce((sum, file) => sum + size(file), 0);
+  const largest = pages.map((name) => [size(join(site, name)), name]).sort(([a], [b]) => b - a);
+  console.log(`    ${files.length} files, ${whole} bytes; largest page ${largest[0].join(" ")}, middle one ${largest[largest.length >> 1][0]}`);
+  assert.ok(whole <= 10e6, `${whole} bytes`);
+  assert.ok(largest[0][0] <= 90e3, largest[0].join(" "));
+});
+
+claim("the program is small; how fast pages are is printed", async () => {
   const compressed = statSync(`${root}/build/wasm/web/gjkscope.wasm.gz`).size;
   assert.ok(compressed <= 1.2e6, `${compressed} bytes`);
   const page = await open(url("polygons-gjk"));
   const live = Number(await page.evaluate(() => document.documentElement.dataset.ready));
   await close(page);
-  console.log(`    largest page ${(largest / 1e6).toFixed(2)} MB, wasm ${(compressed / 1e6).toFixed(2)} MB compressed, live after ${live} ms`);
+  console.log(`    wasm ${(compressed / 1e6).toFixed(2)} MB compressed, live after ${live} ms`);
   for (const name of ["polygons-gjk", "nearly-parallel", "polygons-motion", "lin-canny", "hierarchy-large"]) {
     const times = await timesOfADrag(url(name));
     console.log(`    ${name}: move to frame ${times[100].toFixed(1)} ms, 95 % below ${times[190].toFixed(1)} ms`);
