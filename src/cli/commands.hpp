@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "export/export.hpp"
-#include "trial/trial.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
 #include "outlines/outline.hpp"
 #include "site/site.hpp"
 #include "subjects/run/code.hpp"
+#include "trial/trial.hpp"
 
 namespace gjkscope {
 

@@ -7,10 +7,10 @@
 
 #include "base/file.hpp"
 #include "cli/input.hpp"
-#include "trial/trial.hpp"
 #include "lesson/case.hpp"
 #include "lesson/save.hpp"
 #include "run/run.hpp"
+#include "trial/trial.hpp"
 
 namespace gjkscope {
 namespace {

@@ -241,7 +241,7 @@ class SiteWriter {
                               "USB stick, without a network; it asks nobody for anything."}});
   }
 
-  /// What pages share, and what keeps all of it in a browser.
+  /// The files that pages share, and the one that keeps all of it in a browser.
   void write_files_beside_pages() {
     if (!shares()) return;
     for (const auto& [name, text] : beside_) {
@@ -332,7 +332,7 @@ class SiteWriter {
     return fmt::format("cards/{}{}.svg", lesson.id, dark ? "-dark" : "");
   }
 
-  /// What the player reads besides fonts.
+  /// The texts that the player reads besides fonts.
   [[nodiscard]] Json assets_of_player() const { return {{"themes", themes_}, {"terms", terms_}}; }
 
   /// The outcome of the run, as the page's script writes it.
@@ -527,7 +527,7 @@ class SiteWriter {
   std::string plain_scripts_;                  ///< Sources of scripts, of pages without a program.
   std::map<std::string, std::string> beside_;  ///< Files beside the pages, by name.
   std::vector<std::string> kept_;              ///< Addresses that a browser keeps.
-  std::string digests_;                        ///< Of all files.
+  std::string digests_;                        ///< The digests of all files.
   std::string page_ = read_whole(assets_ / "web" / "page.html");
   std::vector<fs::path> files_;
 };

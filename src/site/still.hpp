@@ -6,8 +6,9 @@
 
 namespace gjkscope {
 
-/// What `to_svg` wrote, in fewer bytes: without marks that draw nothing, with what neighbours share
-/// said once, and outlines to a tenth of a pixel. Of the names of marks those of vertices stay.
+/// The text that `to_svg` wrote, in fewer bytes: without marks that draw nothing, with what
+/// neighbours share said once, and outlines to a tenth of a pixel. Of the names of marks those of
+/// vertices stay.
 [[nodiscard]] std::string still(std::string_view svg);
 
 }  // namespace gjkscope

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "trial/program.hpp"
 #include "lesson/names.hpp"
+#include "trial/program.hpp"
 
 namespace gjkscope::judging {
 

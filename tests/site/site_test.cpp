@@ -21,7 +21,7 @@ namespace site_test {
 
 namespace fs = std::filesystem;
 
-/// What a page holds deflated, in base64.
+/// The text of a file that a page holds deflated, in base64.
 std::string unpacked(const std::string& base64) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -103,7 +103,7 @@ std::string_view without_indent(std::string_view line) {
   return line;
 }
 
-/// What a line of the page is marked as; nullptr where no step stands for it.
+/// The mark of a line of the page; nullptr where no step stands for it.
 const Marked* marked_as(std::string_view line, Language language) {
   const auto found = std::find_if(kMarked.begin(), kMarked.end(), [&](const Marked& each) {
     return without_indent(line).starts_with(text_of(each, language));

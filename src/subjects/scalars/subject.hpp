@@ -22,7 +22,7 @@ struct RunColumn {
   const WideState* state;  ///< Null where the run has no step beside the frame's.
   Numbers numbers;
 };
-/// What the panel's frame knows of two runs: their numbers, and where they differ.
+/// The numbers of two runs that the panel's frame knows, and where they differ.
 void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns);
 }  // namespace blocks
 

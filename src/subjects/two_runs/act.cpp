@@ -124,7 +124,7 @@ std::string answers(const Shown& shown, const Numbers& numbers) {
   return fmt::format("{} The error is {}.", is, numbers(shown.both.answer("error")));
 }
 
-/// Where the second run stands.
+/// The place of the second run.
 std::string second_step(const Shown& shown, const Numbers& numbers) {
   const std::size_t at = static_cast<std::size_t>(shown.step);
   const TwoRunsStep& step = shown.both.shown[at];
