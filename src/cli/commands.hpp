@@ -41,7 +41,7 @@ struct Environment {
 struct LessonChoice {
   std::vector<std::string> names;
   bool all = false;
-  std::optional<Language> language = {};  ///< Of listings that have code, instead of the lessons'.
+  std::optional<Language> language = {};  ///< Replaces that of listings with code.
 };
 
 int list_lessons(const Environment& env, bool json);

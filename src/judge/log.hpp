@@ -49,7 +49,7 @@ struct Log {
   bool cut_off = false;  ///< The last line was left out, because it does not end.
 
   // How findings write it.
-  std::vector<std::string> x_names;  ///< Of the vertices; empty: "a0", "a1", ...
+  std::vector<std::string> x_names;  ///< Names of vertices; empty: "a0", "a1", ...
   std::vector<std::string> y_names;
   int digits = 10;
 };
