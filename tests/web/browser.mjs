@@ -1405,8 +1405,9 @@ claim("things move between steps, and not for who prefers less of it", async () 
 
 claim("axe finds nothing, in any theme", async () => {
   const axe = readFileSync(join(root, "tests/web/node_modules/axe-core/axe.min.js"), "utf8");
+  const server = await serve(site);  // axe reads the style sheets
   for (const name of ["index", "about", "playground", "polygons-gjk", "accuracy-cost", "triangle-two-maps"]) {
-    const page = await open(url(name), "laptop", { bypassCSP: true });
+    const page = await open(`${server.address}${name}.html`, "laptop", { bypassCSP: true, serviceWorkers: "block" });
     await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
     await page.addScriptTag({ content: axe });
     for (const theme of THEMES) {
@@ -1417,6 +1418,7 @@ claim("axe finds nothing, in any theme", async () => {
     }
     await close(page);
   }
+  server.close();
 });
 
 claim("captions are announced, figures have names, focus is seen", async () => {
