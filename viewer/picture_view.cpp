@@ -170,7 +170,7 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
 void PictureView::underline_terms() const {
   constexpr double kDot = 2.0;   // frame pixels
   constexpr double kStep = 4.0;  // from dot to dot
-  const Color words = *app_.theme().style("title").fill;
+  const Color words = *app_.theme().style("prose").fill;
   for (const TermSpot& spot : terms_) {
     for (double x = spot.box.min.x(); x + kDot <= spot.box.max.x(); x += kStep) {
       const Point dot(x, spot.box.max.y());
@@ -252,7 +252,7 @@ void PictureView::take_pointer() {
                       (pixel.array() < area_.max.array()).all();
   const bool ours = inside && !io.WantCaptureMouse && !app_.has_dialog() && app_.shows_pointer();
   const Point page = to_page(pixel);
-  underlines_terms_ = ours && !press_ && !hand_.view_at(page);
+  underlines_terms_ = ours && !press_ && !app_.is_presenting() && !hand_.view_at(page);
   if (press_) {
     if (io.MouseDown[0]) {
       continue_drag(page);
