@@ -42,7 +42,9 @@ function connect() {
   stage.addEventListener("touchstart", (event) => held?.drags && event.preventDefault(), { passive: false });
   document.addEventListener("keydown", onKey);
   document.addEventListener("pointerover", (event) => event.target.closest("#term") || explain(event.target.closest(".term")));
+  document.addEventListener("focusout", () => explain(null));
   document.addEventListener("focusin", (event) => explain(event.target.closest(".term")));
+  $("term").onclick = () => explain(null);
   document.addEventListener("scroll", () => explain(explained), { capture: true, passive: true });
   document.querySelector(".transcript").onclick = (event) => {
     const link = event.target.closest("a");
