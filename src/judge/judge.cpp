@@ -207,7 +207,7 @@ class Judge {
 
   // Names and numbers as sentences have them.
   [[nodiscard]] std::string number(double value) const {
-    return fmt::format("{:.{}g}", value, log_.digits);
+    return fmt::format("{:.{}g}", value + 0.0, log_.digits);  // no -0
   }
   [[nodiscard]] std::string x_name(int i) const {
     if (!log_.x_names.empty()) return log_.x_names[static_cast<std::size_t>(i)];
@@ -217,8 +217,13 @@ class Judge {
     if (!log_.y_names.empty()) return log_.y_names[static_cast<std::size_t>(i)];
     return fmt::format("{}{}", log_.a_is_x ? 'b' : 'a', i);
   }
+  [[nodiscard]] std::string shape_name(bool of_x) const {
+    const std::string& given = of_x ? log_.x_name : log_.y_name;
+    return !given.empty() ? given : of_x == log_.a_is_x ? "a" : "b";
+  }
   [[nodiscard]] std::string name(const VertexPair& pair) const {
-    return y_name(pair.y) + " - " + x_name(pair.x);
+    if (log_.x_names.empty()) return y_name(pair.y) + " - " + x_name(pair.x);
+    return log_.x.size() == 1 ? y_name(pair.y) : y_name(pair.y) + "−" + x_name(pair.x);
   }
   [[nodiscard]] std::string shown(const Point& p) const {
     return log_.dimension == 2
@@ -716,8 +721,7 @@ class Judge {
     for (const bool of_x : {true, false}) {
       const bool differs = of_x ? support->x != best.x : support->y != best.y;
       if (log_.dimension == 2 && differs && turns_both_ways(of_x ? log_.x : log_.y))
-        what += fmt::format("; {} is not convex, and its hull counts",
-                            (of_x == log_.a_is_x) ? 'a' : 'b');
+        what += fmt::format("; {} is not convex, and its hull counts", shape_name(of_x));
     }
     return fail(Part::support, i, what, short_of, allowed);
   }

@@ -51,6 +51,8 @@ struct Log {
   // How findings write it.
   std::vector<std::string> x_names;  ///< Names of vertices; empty: "a0", "a1", ...
   std::vector<std::string> y_names;
+  std::string x_name;  ///< The shapes' names; empty: "a" and "b".
+  std::string y_name;
   int digits = 10;
 };
 

@@ -97,12 +97,23 @@ FrameInView in_view(const LessonRun& run, EffectGraph& effects, const Frame& fra
 
 // ---- the words ----
 
-/// With true minus signs.
-std::string with_minus(std::string_view text) {
+/// With true minus signs and powers of ten.
+std::string in_type(std::string_view text) {
+  const auto is_digit = [&](std::size_t i) {
+    return i < text.size() && text[i] >= '0' && text[i] <= '9';
+  };
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_minus = text[i] == '-' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '(');
-    out += is_minus ? "−" : std::string(1, text[i]);
+    if (text[i] == 'e' && i > 0 && is_digit(i - 1) && is_digit(i + 2)) {
+      std::size_t end = i + 2;
+      while (is_digit(end)) ++end;
+      out += "·10" + raised(std::stoi(std::string(text.substr(i + 1, end - i - 1))));
+      i = end - 1;
+    } else if (text[i] == '-' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '(')) {
+      out += "−";
+    } else {
+      out += text[i];
+    }
   }
   return out;
 }
@@ -163,8 +174,8 @@ void words(const Story& story, FrameText& text) {
   captions::step(Story(shown.both.runs[0], *effects[0], shown.frame_of(0)), first);
   if (shown.step == shown.both.parting) {
     if (shown.both.judgement && shown.wrong()) {
-      text.caption = fmt::format("Here the runs part. In {}: {}.", shown.name(),
-                                 with_minus(shown.wrong()->what));
+      text.caption =
+          fmt::format("Here the runs part. In {}: {}.", shown.name(), in_type(shown.wrong()->what));
     } else {
       text.caption = fmt::format("Here the runs part. {}", second_step(shown, numbers));
     }

@@ -152,6 +152,8 @@ std::shared_ptr<const AlgorithmTrace> run_both(const Lesson& lesson, const Posit
   log.digits = kDigits;
   log.x_names = lesson.x().vertex_names;
   log.y_names = lesson.y().vertex_names;
+  log.x_name = lesson.x().name;
+  log.y_name = lesson.y().name;
   out->judgement = judging::judge(log);
   out->exact = out->judgement->distance;
   gjk::Options options = lesson.options;
