@@ -1437,7 +1437,7 @@ claim("captions are announced, figures have names, focus is seen", async () => {
   await close(page);
 });
 
-claim("a term shows its sentence to pointer, keyboard and finger, in words and panel", async () => {
+claim("a term shows its sentence to pointer and keyboard, in words and panel", async () => {
   const page = await open(url("segment-regions"));
   const tip = page.locator("#term");
   const sentence = "The Voronoi region of a feature holds all points whose closest point lies on that feature.";
