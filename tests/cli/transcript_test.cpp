@@ -108,5 +108,25 @@ TEST(Questions, HaveFramesOfTheirOwnThatCanBeLeftOut) {
       holds(run_program("transcript triangle-ordered-test --no-questions").out, "Question: "));
 }
 
+TEST(Export, ListingsAreCodeWhereTheyHaveSome) {
+  const test::TemporaryFolder folder;
+  const auto listing_of = [&](const std::string& lesson, const std::string& options) {
+    const std::string file = (folder.path() / (lesson + ".svg")).string();
+    EXPECT_EQ(kDone,
+              run_program(fmt::format("export {} --steps 1 --out {} {}", lesson, file, options))
+                  .exit_code);
+    const std::string toml = json::parse(run_program("open --json " + file).out)["toml"];
+    const std::size_t begin = toml.find("listing = ");
+    return toml.substr(begin, toml.find('\n', begin) - begin);
+  };
+  EXPECT_EQ("listing = \"segment\"", listing_of("segment-closest", ""));
+  EXPECT_EQ("listing = \"segment.cpp\"", listing_of("segment-closest", "--listing cpp"));
+  EXPECT_EQ("listing = \"segment.py\"", listing_of("segment-closest", "--listing python"));
+  EXPECT_EQ("listing = \"slab-proof\"", listing_of("slab-proof", "--listing python"));
+  const test::Ran java = run_program("export segment-closest --listing java --out out");
+  EXPECT_EQ(kUsage, java.exit_code);
+  EXPECT_TRUE(holds(java.err, "pseudocode, cpp, python")) << java.err;
+}
+
 }  // namespace transcript_test
 }  // namespace gjkscope

@@ -273,7 +273,11 @@ void write_rows(PanelBuilder& panel, const std::vector<Row>& rows, int number, b
   for (const Row& row : rows) {
     if (!row.code.empty()) panel.write(role, left + row.left, row.code, style);
     const double end = left + row.left + panel.fonts.width(style, row.code);
-    if (!row.comment.empty()) panel.write("code.muted", end, row.comment, type::kCode);
+    // SVG would drop a space at the begin of a text.
+    const std::string comment(without_indent(row.comment));
+    const double gap =
+        panel.fonts.width(type::kCode, std::string(row.comment.size() - comment.size(), ' '));
+    if (!comment.empty()) panel.write("code.muted", end + gap, comment, type::kCode);
     panel.y += rows::kTightRow;
   }
 }
