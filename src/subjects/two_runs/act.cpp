@@ -173,13 +173,18 @@ void words(const Story& story, FrameText& text) {
   FrameText first;
   captions::step(Story(shown.both.runs[0], *effects[0], shown.frame_of(0)), first);
   if (shown.step == shown.both.parting) {
-    if (shown.both.judgement && shown.wrong()) {
-      text.caption =
-          fmt::format("Here the runs part. In {}: {}.", shown.name(), in_type(shown.wrong()->what));
-    } else {
+    const std::string gjk = fmt::format("{}: {}", capitalized(shown.first_name()), first.caption);
+    if (!shown.both.judgement || !shown.wrong()) {
       text.caption = fmt::format("Here the runs part. {}", second_step(shown, numbers));
+      text.detail = gjk;
+      return;
     }
-    text.detail = fmt::format("{}: {}", capitalized(shown.first_name()), first.caption);
+    // The finding, and what follows from it.
+    const std::string what = in_type(shown.wrong()->what);
+    const std::size_t end = std::min(what.find("; "), what.find(". "));
+    text.caption =
+        fmt::format("{} goes wrong here: {}.", capitalized(shown.name()), what.substr(0, end));
+    text.detail = end == std::string::npos ? gjk : capitalized(what.substr(end + 2)) + ".";
     return;
   }
   text.caption = first.caption;
@@ -198,9 +203,8 @@ void values(const Story& story, FrameText& text) {
 
 constexpr AskInfo kAskWrong{"wrong", "what the second run gets wrong where the runs part"};
 constexpr std::array kAsks = {kAskWrong};
-constexpr std::array<std::pair<Phase, std::string_view>, 5> kChoices = {
-    {{Phase::closest, "P"},
-     {Phase::drop, "the vertices that are kept"},
+constexpr std::array<std::pair<Phase, std::string_view>, 4> kChoices = {
+    {{Phase::closest, "P, and the vertices kept for it"},
      {Phase::direction, "d"},
      {Phase::support, "V"},
      {Phase::stop, "whether to stop"}}};
@@ -218,9 +222,13 @@ void question(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskWrong.name), {}, {}});
   const TwoRunsStep& step = shown.both.shown[static_cast<std::size_t>(shown.both.parting)];
+  Phase wrong = step.phase == Phase::drop ? Phase::closest : step.phase;
+  // Along d = 0 there is nothing to look for: the run is over.
+  if (wrong == Phase::direction && shown.both.runs[1].state(shown.frame_of(1)).d.isZero())
+    wrong = Phase::stop;
   for (const auto& [phase, choice] : kChoices) {
     asked.choices.emplace_back(choice);
-    if (phase == step.phase) asked.answer = choice;
+    if (phase == wrong) asked.answer = choice;
   }
   asked.choices.emplace_back(kNoDifference);
   if (shown.both.judgement && shown.wrong() && shown.wrong()->part == Part::vertex)

@@ -86,12 +86,27 @@ bool differs(const WideStep& a, const WideStep& b) {
          (a.after.stop == gjk::StopReason::running) != (b.after.stop == gjk::StopReason::running);
 }
 
+/// The phase in which the runs part: where the wrong vertices are kept, P may be wrong before.
+Phase blamed_phase(const judging::Finding& wrong, const std::array<const WideTrace*, 2>& traces) {
+  const Phase phase = phase_of(wrong.part);
+  if (phase != Phase::drop) return phase;
+  std::array<Eigen::Vector3d, 2> p;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const int at = index_of(*traces[k], wrong.iteration, Phase::closest);
+    if (at < 0) return phase;
+    p[k] = traces[k]->steps[static_cast<std::size_t>(at)].after.p;
+  }
+  constexpr double kSame = 1e-9;
+  return (p[0] - p[1]).norm() > kSame * (p[0].norm() + p[1].norm()) ? Phase::closest : phase;
+}
+
 void find_shown(TwoRunsTrace& out) {
   constexpr int kAfter = 2;  // iterations that are shown after the one in which they part
   const std::array<const WideTrace*, 2> traces = {&out.runs[0].runs[0].trace,
                                                   &out.runs[1].runs[0].trace};
   int last = std::max(traces[0]->result.iterations, traces[1]->result.iterations);
   const auto blamed = out.judgement ? out.judgement->wrong : std::nullopt;
+  const Phase wrong_phase = blamed ? blamed_phase(*blamed, traces) : Phase::stop;
   for (int iteration = 1; iteration <= last; ++iteration) {
     for (const Phase phase :
          {Phase::closest, Phase::drop, Phase::direction, Phase::support, Phase::stop}) {
@@ -101,8 +116,7 @@ void find_shown(TwoRunsTrace& out) {
         has[k] = index_of(*traces[k], iteration, phase) >= 0;
         step.at[k] = index_up_to(*traces[k], iteration, phase);
       }
-      const bool is_blamed =
-          blamed && blamed->iteration == iteration && phase_of(blamed->part) == phase;
+      const bool is_blamed = blamed && blamed->iteration == iteration && wrong_phase == phase;
       if (!has[0] && !has[1] && !is_blamed) continue;
       const auto step_of = [&](std::size_t k) -> const WideStep& {
         return traces[k]->steps[static_cast<std::size_t>(step.at[k])];
