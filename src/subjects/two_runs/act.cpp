@@ -206,7 +206,7 @@ constexpr std::array kAsks = {kAskWrong};
 constexpr std::array<std::pair<Phase, std::string_view>, 4> kChoices = {
     {{Phase::closest, "P, and the vertices kept for it"},
      {Phase::direction, "d"},
-     {Phase::support, "V"},
+     {Phase::support, "V, the support point"},
      {Phase::stop, "whether to stop"}}};
 constexpr std::string_view kNoDifference = "a vertex of S";
 
