@@ -37,6 +37,8 @@ struct EffectCount {
 class EffectGraph {
  public:
   explicit EffectGraph(const LessonRun& run) : run_(run) {}
+  /// Of a run within another one, whose graph counts for both.
+  EffectGraph(const LessonRun& run, EffectGraph& counts) : run_(run), counts_in_(counts) {}
   EffectGraph(const EffectGraph&) = delete;
   EffectGraph& operator=(const EffectGraph&) = delete;
 
@@ -89,6 +91,7 @@ class EffectGraph {
   void end_computing(EffectCount& count, Time begin);
 
   const LessonRun& run_;
+  EffectGraph& counts_in_ = *this;
   std::map<std::string_view, std::unique_ptr<Values>> values_;
   std::map<std::string_view, EffectCount> counts_;
   std::vector<std::string_view> computing_;  ///< The one being computed last.

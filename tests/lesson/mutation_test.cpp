@@ -333,7 +333,7 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
       const LoadedLesson loaded = parse_lesson(text, "large.toml", vocabulary());
       if (granularity == "time" || granularity == "maps" || granularity == "orders" ||
           granularity == "growth" || granularity == "issues" || granularity == "study" ||
-          granularity == "downhill" || granularity == "course-map") {
+          granularity == "downhill" || granularity == "course-map" || granularity == "two-runs") {
         EXPECT_FALSE(loaded.lesson) << "needs a point query, or no path";
         continue;
       }

@@ -130,7 +130,7 @@ const std::map<std::string, std::string> kAskOutsideTheDrawing = {
 
 TEST(AllQuestions, AreTwoOfEachLessonAndOneOfThemIsAnsweredInTheDrawing) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
-    if (lesson.chapter == 6) continue;
+    if (lesson.chapter == 6 || lesson.chapter > 7) continue;
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     int questions = 0;

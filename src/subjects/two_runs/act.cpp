@@ -25,10 +25,10 @@ struct EffectsOfTwoRuns {
   static constexpr std::string_view kNeeds = "";
   using Value = std::array<std::unique_ptr<EffectGraph>, 2>;
   static EffectKey key(const LessonRun&, const Frame& frame) { return {frame.run, -1, -1}; }
-  static Value compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame) {
     const TwoRunsTrace& both = two_runs_of(run, frame);
-    return {std::make_unique<EffectGraph>(both.runs[0]),
-            std::make_unique<EffectGraph>(both.runs[1])};
+    return {std::make_unique<EffectGraph>(both.runs[0], graph),
+            std::make_unique<EffectGraph>(both.runs[1], graph)};
   }
 };
 
@@ -145,12 +145,17 @@ std::string second_step(const Shown& shown, const Numbers& numbers) {
   if (step.phase == Phase::closest)
     return fmt::format("{}: P = {}, {} from the origin.", name, numbers.point(state.p),
                        numbers(std::sqrt(state.p_sq)));
+  if (state.d.isZero()) return fmt::format("{}: d = 0, and it goes on.", name);
   return fmt::format("{}: d = {}, and the support point is {}.", name, numbers.point(state.d),
                      run.pair_name(state.support.pair));
 }
 
 void words(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
+  if (const std::string why = why_not_drawn(story.positioned); !why.empty()) {
+    text.caption = fmt::format("There are no two runs: {}.", why);
+    return;
+  }
   if (!shown.both.fits) {
     text.caption = "The log is about these shapes where they stood before. Both views show GJK.";
     text.detail = "Undo the change to see the logged run.";
@@ -326,6 +331,7 @@ const Act kAct{
         "step of two runs about the same shapes, as long as both go on, and two iterations more",
     .needs = {.table = &LessonSecond::kKind,
               .path = PathUse::refused,
+              .most_vertices = 1000,
               .why_no_until = "frames show how both runs end"},
     .add_frames = add_algorithm_frames,
     .asks = kAsks,

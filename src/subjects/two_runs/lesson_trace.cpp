@@ -142,6 +142,10 @@ std::shared_ptr<const AlgorithmTrace> run_both(const Lesson& lesson, const Posit
   auto out = std::make_shared<TwoRunsTrace>();
   const LessonSecond& second = *lesson.table.as<LessonSecond>();
   out->exact = run.trace.result.distance;
+  if (!why_not_drawn(run).empty()) {
+    out->runs = {alone(lesson, run), alone(lesson, run)};
+    return out;
+  }
   if (second.scalar) {
     out->runs = {alone(lesson, run),
                  alone(lesson, run_again(run, started_as(run, lesson.options), *second.scalar))};

@@ -1,11 +1,19 @@
 #include "subjects/two_runs/logged_run.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace gjkscope {
 namespace {
 
 using gjk::Phase;
+
+/// Numbers of a log may be anything: these can be drawn, and their squares be computed.
+bool is_drawn(const Eigen::Vector3d& v) {
+  constexpr double kMost = 1e150;
+  return v.allFinite() && v.cwiseAbs().maxCoeff() < kMost;
+}
 
 /// Writes the steps of a log, one iteration after the other.
 class LoggedRun {
@@ -49,7 +57,8 @@ class LoggedRun {
     state_.simplex.count = static_cast<int>(pairs.size());
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       state_.simplex.vertices[k] = vertex(pairs[k]);
-      if (it.points.size() == pairs.size()) state_.simplex.vertices[k].w = it.points[k];
+      if (it.points.size() == pairs.size() && is_drawn(it.points[k]))
+        state_.simplex.vertices[k].w = it.points[k];
       state_.simplex.weights[k] = 0.0;
     }
     state_.simplex.weights[0] = 1.0;
@@ -75,8 +84,10 @@ class LoggedRun {
       if (std::find(it.kept.begin(), it.kept.end(), simplex.vertices[i].pair) != it.kept.end())
         state_.region |= gjk::Face(1U << static_cast<unsigned>(i));
     }
-    const bool of_kept = has_kept && it.weights.size() == it.kept.size();
-    const bool of_all = !of_kept && it.weights.size() == size;
+    const bool are_numbers = std::all_of(it.weights.begin(), it.weights.end(),
+                                         [](double weight) { return std::isfinite(weight); });
+    const bool of_kept = are_numbers && has_kept && it.weights.size() == it.kept.size();
+    const bool of_all = are_numbers && !of_kept && it.weights.size() == size;
     state_.p.setZero();
     for (int i = 0; i < simplex.count; ++i) {
       const auto kept = std::find(it.kept.begin(), it.kept.end(), simplex.vertices[i].pair);
@@ -86,7 +97,8 @@ class LoggedRun {
                                      : nearest.simplex.weights[i];
       state_.p += simplex.weights[i] * simplex.vertices[i].w;
     }
-    if (it.closest && it.closest->allFinite()) state_.p = *it.closest;
+    if (it.closest) state_.p = *it.closest;
+    if (!is_drawn(state_.p)) state_.p = nearest.p;
     state_.p_sq = state_.p.squaredNorm();
     add(Phase::closest);
   }
@@ -109,14 +121,15 @@ class LoggedRun {
   void search(std::size_t i) {
     const judging::Iteration& it = log_.iterations[i];
     state_.d.setZero();
-    if (!it.direction || !it.direction->allFinite()) return;
+    if (!it.direction || !is_drawn(*it.direction)) return;
     state_.d = *it.direction;
     add(Phase::direction);
+    if (!(state_.d.norm() > 0.0)) return;
     std::optional<gjk::VertexPair> support = it.support;
     if (!support && i < steps_.size()) support = steps_[i].support;
     if (!support) return;
     state_.support = vertex(*support);
-    if (it.support_point && it.support_point->allFinite()) state_.support.w = *it.support_point;
+    if (it.support_point && is_drawn(*it.support_point)) state_.support.w = *it.support_point;
     state_.support_value = state_.d.dot(state_.support.w);
     add(Phase::support);
   }
