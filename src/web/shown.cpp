@@ -15,6 +15,7 @@
 #include "picture/term_spots.hpp"
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
+#include "session/hit.hpp"
 #include "subjects/depth/penetration.hpp"
 #include "subjects/run/code.hpp"
 #include "web/json.hpp"

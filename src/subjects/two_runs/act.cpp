@@ -54,9 +54,6 @@ struct Shown {
     const int end = static_cast<int>(both.runs[which].runs[0].trace.steps.size()) - 1;
     return {.step = is_answer ? end : both.shown[static_cast<std::size_t>(step)].at[which]};
   }
-  [[nodiscard]] Story story_of(std::size_t which, EffectGraph& effects, const Frame& frame) const {
-    return {both.runs[which], effects, frame};
-  }
   [[nodiscard]] double answer(std::size_t which) const {
     return which == 0 ? both.exact : both.answer("second-distance");
   }
@@ -91,9 +88,6 @@ struct Shown {
   int step;
   bool is_answer;
 };
-
-FrameInView in_view(const LessonRun& run, EffectGraph& effects, const Frame& frame,
-                    std::size_t view);
 
 // ---- the words ----
 
