@@ -78,9 +78,12 @@ bool is_in(const fs::path& file, const fs::path& folder) {
 void App::open_path(const fs::path& path) {
   will_show(path.string());
   try {
-    if (path.extension() == ".json") {
+    if (path.extension() == ".json" || path.extension() == ".jsonl") {
       const std::string text = read_whole(path);
-      if (text.find("\"rows\":") == std::string::npos) {
+      if (std::optional<LoadedLesson> log = log_as_lesson(text, path)) {
+        if (!log->lesson) return say(log->problems);
+        (void)show(*std::move(log->lesson), {}, path.string(), true);
+      } else if (text.find("\"rows\":") == std::string::npos) {
         open_lesson(path);
       } else {
         open_results(*this, text, path);
@@ -102,9 +105,10 @@ void App::open_exported(const fs::path& file) {
   const std::optional<Record> record =
       find_record({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
   if (!record || record->frames.empty()) {
-    return say(
-        fmt::format("{} is no lesson (.toml), no case (.json) and no export of one", file.string()),
-        true);
+    return say(fmt::format(
+                   "{} is no lesson (.toml), no case (.json), no log (.jsonl) and no export of one",
+                   file.string()),
+               true);
   }
   // Results of a study stand beside the shipped lessons.
   const fs::path shipped = paths_.share / "lessons" / (record->lesson + ".toml");
@@ -124,8 +128,7 @@ void App::open_exported(const fs::path& file) {
 
 App::ReadLesson App::read_lesson(std::string_view text, const fs::path& file) const {
   if (file.extension() == ".json") return read_case(text, file.string());
-  std::optional<LoadedLesson> log = log_as_lesson(text, file);
-  LoadedLesson loaded = log ? *std::move(log) : parse_lesson(text, file, vocabulary());
+  LoadedLesson loaded = parse_lesson(text, file, vocabulary());
   return {std::move(loaded.lesson), std::move(loaded.problems)};
 }
 

@@ -91,7 +91,8 @@ struct Open {
       const fs::path& each = entry.path();
       app.will_show(each.string());
       const std::string ending = each.extension().string();
-      const bool wanted = ending == ".toml" || ending == ".json" || is_pasted_ending(ending);
+      const bool wanted =
+          ending == ".toml" || ending == ".json" || ending == ".jsonl" || is_pasted_ending(ending);
       if (entry.is_directory(none) || wanted) entries.push_back(each);
     }
     std::sort(entries.begin(), entries.end());

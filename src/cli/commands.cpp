@@ -325,7 +325,7 @@ int check_command(const Environment& env, const std::vector<std::string>& files)
       }
       unknown = unknown || !found;
     } else if (const std::optional<fs::path> file = lesson_file(env, name); file) {
-      LoadedLesson loaded = load_lesson(*file, vocabulary());
+      LoadedLesson loaded = load_lesson_or_log(*file);
       problems = std::move(loaded.problems);
       if (loaded.lesson) problems = problems_of_run(*loaded.lesson);
     } else {

@@ -57,12 +57,16 @@ std::optional<fs::path> lesson_file(const Environment& env, const std::string& n
   return std::nullopt;
 }
 
+LoadedLesson load_lesson_or_log(const fs::path& file) {
+  std::optional<LoadedLesson> log;
+  if (file.extension() != ".toml") log = log_as_lesson(read_whole(file), file);
+  return log ? *std::move(log) : load_lesson(file, vocabulary());
+}
+
 FoundLesson find_lesson(const Environment& env, const std::string& name) {
   const std::optional<fs::path> file = lesson_file(env, name);
   if (!file) return {std::nullopt, is_path(name) ? kCannot : kUsage};
-  std::optional<LoadedLesson> log;
-  if (file->extension() != ".toml") log = log_as_lesson(read_whole(*file), *file);
-  LoadedLesson loaded = log ? *std::move(log) : load_lesson(*file, vocabulary());
+  LoadedLesson loaded = load_lesson_or_log(*file);
   for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
   const int exit_code = loaded.lesson ? kDone : kProblem;
   return {std::move(loaded.lesson), exit_code};

@@ -18,6 +18,9 @@ namespace gjkscope {
 [[nodiscard]] std::optional<std::filesystem::path> lesson_file(const Environment& env,
                                                                const std::string& name);
 
+/// A lesson file, or a log of any GJK, set beside this one.
+[[nodiscard]] LoadedLesson load_lesson_or_log(const std::filesystem::path& file);
+
 /// The lesson of an id or path, or an exit code after its problems were printed on `env.err`.
 struct FoundLesson {
   std::optional<Lesson> lesson;

@@ -61,6 +61,22 @@ TEST(JudgeCommand, JudgesEachFileAndPrintsJson) {
   EXPECT_EQ("answer", wrong["wrong_answer"]["part"]);
 }
 
+/// Other commands take a log as a lesson of two runs.
+TEST(JudgeCommand, ALogIsALessonToCheckAndToTell) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("run.jsonl", kWrong);
+  const Ran check = run_program("check " + file);
+  EXPECT_EQ(kDone, check.exit_code) << check.out << check.err;
+  const Ran words = run_program("transcript " + file);
+  EXPECT_EQ(kDone, words.exit_code) << words.err;
+  EXPECT_NE(std::string::npos, words.out.find("The logged run answers 3.000")) << words.out;
+  EXPECT_NE(std::string::npos, words.out.find("does not lead from P = (2, 0) to O")) << words.out;
+  const Ran bad =
+      run_program("check " + folder.file("bad.jsonl", kHead + "{\"simplex\":[[9,0]]}\n"));
+  EXPECT_EQ(kProblem, bad.exit_code);
+  EXPECT_NE(std::string::npos, bad.out.find("bad.jsonl:2:13")) << bad.out;
+}
+
 TEST(JudgeCommand, PrintsWhatTheDocumentShows) {
   const std::string page = test::read_file(GJKSCOPE_SOURCE_DIR "/docs/log-format.md");
   std::string log;

@@ -15,6 +15,7 @@
 #include <set>
 #include <thread>
 
+#include "base/file.hpp"
 #include "command_line.hpp"
 #include "drawers/effects.hpp"
 #include "fonts.hpp"
@@ -562,6 +563,27 @@ TEST(App, CopiesAndPastesTheShapesAsACase) {
   window.key("V", true);
   EXPECT_NE("", window.app().message());
   EXPECT_EQ(y, window.session().lesson().y().vertices);
+}
+
+TEST(App, ALogOpensBesideTheRunOfGjk) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "run.jsonl";
+  write_whole(file, std::string_view(R"({"gjk_log":1,"a":[[0,0],[1,0]],"b":[[3,0],[4,2]]}
+{"simplex":[[1,0]],"closest":[2,0],"direction":[2,0],"support":[0,1]}
+{"answer":{"distance":3}}
+)"));
+  HeadlessApp window("polygons-gjk");
+  window.app().open_path(file);
+  window.frame();
+  EXPECT_EQ("", window.app().message());
+  EXPECT_EQ("two-runs", window.session().lesson().act);
+  EXPECT_TRUE(window.session().file().empty()) << "a log is not saved over";
+  EXPECT_NE(std::string::npos, window.session().text().caption.find("The logged run answers 3"));
+  write_whole(file, std::string_view("{\"gjk_log\":1,\"a\":[[0,0]]}\n"));
+  window.app().open_path(file);
+  window.frame();
+  EXPECT_NE(std::string::npos, window.app().message().find("run.jsonl:1:"))
+      << window.app().message();
 }
 
 TEST(App, UnsavedWorkIsOfferedAndTheNamedLessonOpensAsItIs) {

@@ -48,7 +48,7 @@ std::optional<LoadedLesson> log_as_lesson(std::string_view text,
   second.log = std::make_shared<const judging::Log>(*std::move(read.log));
   lesson.table = ActTable(std::move(second));
   lesson.table.file = NamedFile{file.filename().string(), std::make_shared<std::string>(text)};
-  lesson.expect.stop = name_of(run_case(case_of(lesson), lesson.scalar).trace.result.stop);
+  lesson.expect.stop = name_of(run_lesson(lesson).runs.front().trace.result.stop);
   // The loader says what a lesson cannot hold.
   return parse_lesson(lesson_toml(lesson), file, vocabulary(),
                       [&](const std::filesystem::path&, int) {
