@@ -37,7 +37,7 @@ struct EffectCount {
 class EffectGraph {
  public:
   explicit EffectGraph(const LessonRun& run) : run_(run) {}
-  /// Of a run within another one, whose graph counts for both.
+  /// The effects of a run within another one, whose graph counts for both.
   EffectGraph(const LessonRun& run, EffectGraph& counts) : run_(run), counts_in_(counts) {}
   EffectGraph(const EffectGraph&) = delete;
   EffectGraph& operator=(const EffectGraph&) = delete;
