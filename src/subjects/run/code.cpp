@@ -300,12 +300,11 @@ void write_lines(PanelBuilder& panel, std::optional<Line> shown) {
   const bool is_struct = shown == Line::simplex_vertex;  // its fields follow it
   int first = first_in_sight(heights, current, is_struct ? 0 : kBefore);
   int last = first;
-  int left = kRows - heights[static_cast<std::size_t>(first)];
-  while (last + 1 < static_cast<int>(lines.size()) &&
-         heights[static_cast<std::size_t>(last + 1)] <= left)
-    left -= heights[static_cast<std::size_t>(++last)];
-  while (first > 0 && heights[static_cast<std::size_t>(first - 1)] <= left)
-    left -= heights[static_cast<std::size_t>(--first)];
+  const auto height = [&](int line) { return heights[static_cast<std::size_t>(line)]; };
+  int left = kRows - height(first);
+  while (last + 1 < static_cast<int>(lines.size()) && height(last + 1) <= left)
+    left -= height(++last);
+  while (first > 0 && height(first - 1) <= left) left -= height(--first);
   panel.heading(
       fmt::format("{}, lines {} to {} of {}", whole.name, first + 1, last + 1, lines.size()));
   for (int i = first; i <= last; ++i) {
