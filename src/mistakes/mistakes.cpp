@@ -1,5 +1,6 @@
 #include "mistakes/mistakes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -83,5 +84,10 @@ constexpr std::array kMistakes = {
 }  // namespace
 
 std::span<const Mistake> mistakes() { return kMistakes; }
+
+const Mistake& mistake_called(std::string_view name) {
+  return *std::find_if(kMistakes.begin(), kMistakes.end(),
+                       [&](const Mistake& each) { return each.name == name; });
+}
 
 }  // namespace gjkscope

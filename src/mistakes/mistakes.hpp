@@ -22,5 +22,7 @@ struct Mistake {
 
 /// All of them; the first is "none", the textbook's own loop.
 [[nodiscard]] std::span<const Mistake> mistakes();
+/// The one of this name, which must be there.
+[[nodiscard]] const Mistake& mistake_called(std::string_view name);
 
 }  // namespace gjkscope

@@ -166,6 +166,19 @@ stop = "repeated-support"
   EXPECT_EQ(both.runs[1].runs[0].trace.result.distance, both.answer("second-distance"));
 }
 
+/// In half precision these vertices are infinite.
+TEST(TwoRuns, AScalarWithoutNumbersForTheShapesHasNoRun) {
+  Lesson lesson = load_lesson(kLessons / "mistake-nearest.toml", vocabulary()).lesson.value();
+  LessonSecond second;
+  second.scalar = ScalarKind::half;
+  lesson.table = ActTable(second);
+  lesson.y().translate.x() = 1e6;
+  const LessonRun run = run_lesson(lesson);
+  EXPECT_FALSE(trace_of(run).fits);
+  EffectGraph effects(run);
+  EXPECT_NE(lesson_texts(run, effects).front().caption.find("no run in half"), std::string::npos);
+}
+
 TEST(TwoRuns, TheTableSaysOneRun) {
   for (const std::string second : {"", "mistake = \"none\"\nscalar = \"half\"\n"}) {
     const std::string text =

@@ -78,10 +78,7 @@ struct Shown {
     constexpr double kRounding = 1e-12;
     return !(both.answer("error") <= kRounding * std::max(both.exact, answer(1)));
   }
-  [[nodiscard]] const Mistake& mistake() const {
-    return *std::find_if(mistakes().begin(), mistakes().end(),
-                         [&](const Mistake& each) { return each.name == second.mistake; });
-  }
+  [[nodiscard]] const Mistake& mistake() const { return mistake_called(second.mistake); }
 
   const TwoRunsTrace& both;
   const LessonSecond& second;
@@ -148,6 +145,11 @@ void words(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   if (const std::string why = why_not_drawn(story.positioned); !why.empty()) {
     text.caption = fmt::format("There are no two runs: {}.", why);
+    return;
+  }
+  if (!shown.both.fits && shown.second.scalar) {
+    text.caption = fmt::format("These shapes have no run in {}. Both views show {}.",
+                               name_of(*shown.second.scalar), shown.first_name());
     return;
   }
   if (!shown.both.fits) {

@@ -147,9 +147,10 @@ std::shared_ptr<const AlgorithmTrace> run_both(const Lesson& lesson, const Posit
     return out;
   }
   if (second.scalar) {
-    out->runs = {alone(lesson, run),
-                 alone(lesson, run_again(run, started_as(run, lesson.options), *second.scalar))};
-    find_shown(*out);
+    const PositionedRun other = run_again(run, started_as(run, lesson.options), *second.scalar);
+    out->fits = why_not_drawn(other).empty();
+    out->runs = {alone(lesson, run), alone(lesson, out->fits ? other : run)};
+    if (out->fits) find_shown(*out);
     return out;
   }
   judging::Log log;
@@ -157,10 +158,7 @@ std::shared_ptr<const AlgorithmTrace> run_both(const Lesson& lesson, const Posit
     log = *second.log;
     out->fits = log.x == run.x().world && log.y == run.y().world;
   } else {
-    const auto found = std::find_if(mistakes().begin(), mistakes().end(), [&](const Mistake& each) {
-      return each.name == second.mistake;
-    });
-    log = found->log_of(in_plane(run.x().world), in_plane(run.y().world));
+    log = mistake_called(second.mistake).log_of(in_plane(run.x().world), in_plane(run.y().world));
   }
   if (!out->fits) {
     out->runs = {alone(lesson, run), alone(lesson, run)};
@@ -208,7 +206,7 @@ Json TwoRunsTrace::json(const Lesson& lesson, const PositionedRun&) const {
                   : second.scalar ? std::string(name_of(*second.scalar))
                                   : second.mistake;
   if (!fits) {
-    out["refused"] = "the log is about other shapes";
+    out["refused"] = second.log ? "the log is about other shapes" : "no run in this scalar";
     return out;
   }
   out["steps"] = Json::array();

@@ -29,8 +29,8 @@ class TwoRunsTrace final : public AlgorithmTrace {
   [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson,
                                             const PositionedRun& run) const override;
 
-  /// The first run from where the second one starts, and that. Of a log whose shapes have moved
-  /// since there is the first run alone, twice.
+  /// The first run from where the second one starts, and that. The first run alone, twice, where
+  /// the shapes of a log have moved since, or a scalar has no numbers for them.
   std::array<LessonRun, 2> runs;
   bool fits = true;  ///< The second run is about these shapes.
   std::vector<TwoRunsStep> shown;
