@@ -183,6 +183,17 @@ bool has_several_files(const ExportOptions& options) {
 
 }  // namespace
 
+int sheet_command(const Environment& env, int chapter, SheetFile options) {
+  FoundLessons found = find_lessons(env, {.names = {}, .all = true});
+  if (found.exit_code != kDone) return found.exit_code;
+  options.assets_dir = env.share / "assets";
+  if (options.file.has_parent_path())
+    std::filesystem::create_directories(options.file.parent_path());
+  write_sheet(chapter, std::move(found.lessons), options);
+  env.out << options.file.string() << '\n';
+  return flushed(env) ? kDone : kCannot;
+}
+
 int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
                    bool json) {
   FoundLessons found = find_lessons(env, choice);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "export/export.hpp"
+#include "export/sheet.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
 #include "outlines/outline.hpp"
@@ -54,6 +55,9 @@ int export_pages_command(const Environment& env, const LessonChoice& choice,
 int export_command(const Environment& env, const LessonChoice& choice, ExportOptions options,
                    bool json);
 
+/// Writes the sheet of a chapter.
+int sheet_command(const Environment& env, int chapter, SheetFile options);
+
 /// Starts the window, beside this program or on the PATH, with the step that an exported file
 /// shows; `json`: prints the file's record instead.
 int open_command(const Environment& env, const std::string& file, bool json);
@@ -91,11 +95,13 @@ int solve_command(const Environment& env, const std::vector<std::string>& files,
 /// that is not: kProblem then, and kCannot where a log cannot be read. "-" is standard input.
 int judge_command(const Environment& env, const std::vector<std::string>& files, bool json);
 
-/// Asks a program about families of pairs, and prints what it gets wrong: kProblem where that is
-/// anything, kCannot where it answers nothing. In `out_dir` the smallest failing case of each
-/// family, reduced, as a case and, in the plane, as a lesson.
-int judge_program_command(const Environment& env, const judging::TrialOptions& options,
-                          const std::filesystem::path& out_dir, bool json);
+/// Asks programs about families of pairs, and prints what they get wrong: kProblem where that is
+/// anything, kCannot where one answers nothing. Several stand in columns; of one there is the
+/// smallest failing case of each family, too, reduced, and in `out_dir` as a case and, in the
+/// plane, as a lesson.
+int judge_programs_command(const Environment& env, const std::vector<std::string>& programs,
+                           judging::TrialOptions options, const std::filesystem::path& out_dir,
+                           bool json);
 
 /// Problems of lesson and case files on `out`, each with its place; also runs them, and checks what
 /// lessons expect and whether cases are refused.

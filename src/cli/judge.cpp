@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -113,35 +115,112 @@ void write_case(const std::filesystem::path& dir, const judging::FamilyTrial& tr
   write_whole(dir / (name + ".toml"), lesson_toml(lesson));
 }
 
+/// Programs side by side.
+class Table {
+ public:
+  void add(const judging::FamilyTrial& trial, std::size_t program, std::string failures,
+           std::string worst) {
+    const auto same = [&](const Row& row) {
+      return row.family == trial.family && row.dimension == trial.dimension;
+    };
+    auto row = std::find_if(rows_.begin(), rows_.end(), same);
+    if (row == rows_.end())
+      row = rows_.insert(rows_.end(), {trial.family, trial.dimension, trial.asked, {}, {}});
+    row->failures[program] = std::move(failures);
+    row->worst[program] = std::move(worst);
+  }
+
+  [[nodiscard]] std::string text(const std::vector<std::string>& programs) const {
+    return part("failures", programs, &Row::failures) + '\n' +
+           part("largest relative error", programs, &Row::worst);
+  }
+
+ private:
+  /// The cells of a program by its index.
+  using Cells = std::map<std::size_t, std::string>;
+  struct Row {
+    std::string family;
+    int dimension;
+    int pairs;
+    Cells failures;
+    Cells worst;
+  };
+
+  /// A program is called as its command is, less the folder.
+  static std::string name(const std::string& program) {
+    const std::size_t slash = program.substr(0, program.find(' ')).rfind('/');
+    return slash == std::string::npos ? program : program.substr(slash + 1);
+  }
+
+  [[nodiscard]] std::string part(std::string_view what, const std::vector<std::string>& programs,
+                                 Cells Row::*cells) const {
+    std::string out = fmt::format("{}:\n\n| family | dimension | pairs |", what);
+    std::string rule = "| --- | --- | --- |";
+    for (const std::string& program : programs) {
+      out += fmt::format(" {} |", name(program));
+      rule += " --- |";
+    }
+    out += '\n' + rule + '\n';
+    for (const Row& row : rows_) {
+      out += fmt::format("| {} | {} | {} |", row.family, row.dimension, row.pairs);
+      for (std::size_t k = 0; k < programs.size(); ++k) {
+        const auto cell = (row.*cells).find(k);
+        out += fmt::format(" {} |", cell == (row.*cells).end() ? "-" : cell->second);
+      }
+      out += '\n';
+    }
+    return out;
+  }
+
+  std::vector<Row> rows_;
+};
+
 }  // namespace
 
-int judge_program_command(const Environment& env, const judging::TrialOptions& options,
-                          const std::filesystem::path& out_dir, bool json) {
+int judge_programs_command(const Environment& env, const std::vector<std::string>& programs,
+                           judging::TrialOptions options, const std::filesystem::path& out_dir,
+                           bool json) {
   if (!out_dir.empty()) std::filesystem::create_directories(out_dir);
+  const bool alone = programs.size() == 1;
+  options.reduces = alone;
   bool failed = false;
+  bool unanswered = false;
   std::string cases;
-  if (!json)
+  Table table;
+  if (alone && !json)
     env.out << "| family | dimension | pairs | failures | largest relative error |\n"
                "| --- | --- | --- | --- | --- |\n";
-  const std::string gave_up = judging::try_program(options, [&](const judging::FamilyTrial& trial) {
-    failed = failed || trial.smallest.has_value();
-    if (trial.smallest && !out_dir.empty()) write_case(out_dir, trial, options.command);
-    if (json) {
-      env.out << json_of(trial).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
-      return;
-    }
-    env.out << fmt::format("| {} | {} | {} | {} | {} |\n", trial.family, trial.dimension,
-                           trial.asked, faults_text(trial),
-                           trial.worst > 0 ? fmt::format("{:.0e}", trial.worst) : ".")
-            << std::flush;
-    if (trial.smallest)
-      cases += fmt::format("{}: {}\n  the distance is {:.10g}, the program says: {:.200}\n  {}\n",
-                           trial.family, name_of(trial.smallest->fault), trial.smallest->distance,
-                           trial.smallest->answer, trial.smallest->text);
-  });
+  for (std::size_t k = 0; k < programs.size(); ++k) {
+    options.command = programs[k];
+    const std::string gave_up =
+        judging::try_program(options, [&](const judging::FamilyTrial& trial) {
+          failed = failed || judging::faults_text(trial) != ".";
+          if (trial.smallest && !out_dir.empty()) write_case(out_dir, trial, options.command);
+          if (json) {
+            Json out = json_of(trial);
+            if (!alone) out["program"] = options.command;
+            env.out << out.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+            return;
+          }
+          const std::string worst = trial.worst > 0 ? fmt::format("{:.0e}", trial.worst) : ".";
+          if (!alone) return table.add(trial, k, judging::faults_text(trial), worst);
+          env.out << fmt::format("| {} | {} | {} | {} | {} |\n", trial.family, trial.dimension,
+                                 trial.asked, judging::faults_text(trial), worst)
+                  << std::flush;
+          if (trial.smallest)
+            cases +=
+                fmt::format("{}: {}\n  the distance is {:.10g}, the program says: {:.200}\n  {}\n",
+                            trial.family, name_of(trial.smallest->fault), trial.smallest->distance,
+                            trial.smallest->answer, trial.smallest->text);
+        });
+    if (gave_up.empty()) continue;
+    unanswered = true;
+    env.err << (alone ? fmt::format("gjkscope: {}\n", gave_up)
+                      : fmt::format("gjkscope: {}: {}\n", options.command, gave_up));
+  }
+  if (!alone && !json) env.out << table.text(programs);
   if (!cases.empty()) env.out << "\nThe smallest failing case of each family:\n\n" << cases;
-  if (!gave_up.empty()) env.err << fmt::format("gjkscope: {}\n", gave_up);
-  if (!flushed(env) || !gave_up.empty()) return kCannot;
+  if (!flushed(env) || unanswered) return kCannot;
   return failed ? kProblem : kDone;
 }
 

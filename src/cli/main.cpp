@@ -17,6 +17,7 @@
 #include "cli/commands.hpp"
 #include "lesson/names.hpp"
 #include "lesson/problem.hpp"
+#include "lesson/schema.hpp"
 #include "paint/pdf.hpp"
 
 namespace {
@@ -73,6 +74,9 @@ struct Arguments {
   std::pair<int, int> size = {1280, 720};
   StepRange steps;
   StudyOptions study;
+  std::optional<int> sheet;
+  Paper paper = Paper::a4;
+  std::vector<std::string> programs;
   judging::TrialOptions trial;
 };
 
@@ -124,6 +128,16 @@ void add_export(CLI::App& app, Arguments& args) {
   ExportOptions& options = args.export_options;
   command->add_option("lesson", args.lessons.names, "Ids or files of lessons");
   command->add_flag("--all", args.lessons.all, "All shipped lessons");
+  CLI::Option* sheet =
+      command
+          ->add_option("--sheet", args.sheet,
+                       "Instead of lessons: chapter N on one page, as pdf, svg or png")
+          ->check(CLI::Range(0, limits::kLastChapter))
+          ->type_name("N");
+  parsed(command, "--paper", args.paper, paper_of, "one of a4, letter",
+         "The paper of a sheet: a4, if not given, or letter")
+      ->type_name("a4|letter")
+      ->needs(sheet);
   command
       ->add_option("--out", args.out,
                    "Folder for the files; or one file, whose ending names the format")
@@ -167,6 +181,7 @@ void add_export(CLI::App& app, Arguments& args) {
       "  gjkscope export polygons-gjk --out polygons.pdf --theme print --handout 4\n"
       "  gjkscope export polygons-gjk --out polygons.gif --size 960x540 --fps 20\n"
       "  gjkscope export polygons-gjk --steps 3 --out figure.svg --crop stage --transparent\n"
+      "  gjkscope export --sheet 3 --out chapter-3.pdf --paper letter\n"
       "  gjkscope export --all --out site --format html --index\n"
       "  gjkscope export polygons-gjk --out polygons.html\n");
 }
@@ -282,8 +297,10 @@ void add_commands(CLI::App& app, Arguments& args) {
   judging::TrialOptions& trial = args.trial;
   CLI::Option* program =
       judge
-          ->add_option("--program", trial.command,
-                       "Ask a program, by a shell's command, about families of pairs instead")
+          ->add_option("--program", args.programs,
+                       "Ask a program, by a shell's command, about families of pairs instead; "
+                       "repeat the option to set programs side by side")
+          ->allow_extra_args(false)
           ->type_name("CMD");
   judge->add_option("--family", trial.families, "Family of pairs; repeat the option for more")
       ->check(CLI::IsMember(judging::family_names()))
@@ -329,7 +346,8 @@ void add_commands(CLI::App& app, Arguments& args) {
       "program answers nothing.\n\n"
       "Examples:\n  gjkscope judge run.jsonl\n  my-program | gjkscope judge - --json\n"
       "  gjkscope judge --program ./my-distance --dimension 2 --out failing\n"
-      "  gjkscope judge --program 'gjkscope solve -' --family needle --pairs 100\n");
+      "  gjkscope judge --program 'gjkscope solve -' --family needle --pairs 100\n"
+      "  gjkscope judge --program ./mine --program ./theirs --float\n");
 
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
   told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
@@ -447,6 +465,34 @@ std::string untaken_option(const CLI::App& command, const std::string& format) {
   return {};
 }
 
+/// The sheet of a chapter: options that it does not take are refused.
+int run_sheet(const Environment& env, const CLI::App& command, Arguments& args) {
+  constexpr std::array kTaken = {"--sheet", "--paper", "--out", "--format", "--theme", "--force"};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() > 0 && std::find(kTaken.begin(), kTaken.end(), name) == kTaken.end()) {
+      env.err << fmt::format("gjkscope export: {} does not go with --sheet\n", name);
+      return kUsage;
+    }
+  }
+  if (args.format.empty()) args.format = "pdf";
+  if (args.format != "pdf" && args.format != "svg" && args.format != "png") {
+    env.err << fmt::format("gjkscope export: a sheet is pdf, svg or png, not {}\n", args.format);
+    return kUsage;
+  }
+  ExportOptions& options = args.export_options;
+  const std::string name = options.file_name.empty()
+                               ? fmt::format("chapter-{}.{}", *args.sheet, args.format)
+                               : options.file_name;
+  SheetFile sheet{.file = options.out_dir / name,
+                  .format = *format_of(args.format),
+                  .assets_dir = {},
+                  .paper = args.paper,
+                  .force = options.force};
+  if (command.count("--theme") > 0) sheet.theme = options.theme;
+  return sheet_command(env, *args.sheet, std::move(sheet));
+}
+
 int run_export(const Environment& env, const CLI::App& command, Arguments& args) {
   ExportOptions& options = args.export_options;
   std::tie(options.width, options.height) = args.size;
@@ -466,6 +512,7 @@ int run_export(const Environment& env, const CLI::App& command, Arguments& args)
     options.file_name = args.out.filename().string();
     if (args.format.empty()) args.format = ending;
   }
+  if (args.sheet) return run_sheet(env, command, args);
   if (args.format.empty()) args.format = name_of(options.format);
   if (const std::string untaken = untaken_option(command, args.format); !untaken.empty()) {
     env.err << "gjkscope export: " << untaken << "\n";
@@ -490,11 +537,16 @@ int run(const CLI::App& app, Arguments& args) {
   if (app.got_subcommand("solve"))
     return solve_command(env, args.files, {args.scalar, args.method});
   if (app.got_subcommand("judge")) {
-    if (args.files.empty() == args.trial.command.empty()) {
+    if (args.files.empty() == args.programs.empty()) {
       env.err << "gjkscope judge: name logs, or give --program\n";
       return kUsage;
     }
-    if (args.files.empty()) return judge_program_command(env, args.trial, args.out, args.json);
+    if (args.programs.size() > 1 && !args.out.empty()) {
+      env.err << "gjkscope judge: --out takes the cases of one program; expected one --program\n";
+      return kUsage;
+    }
+    if (args.files.empty())
+      return judge_programs_command(env, args.programs, args.trial, args.out, args.json);
     return judge_command(env, args.files, args.json);
   }
   if (app.got_subcommand("check")) return check_command(env, args.files);
@@ -517,7 +569,7 @@ int run(const CLI::App& app, Arguments& args) {
   }
   ExportOptions& options = args.export_options;
   const bool tells = app.got_subcommand("transcript");
-  if (args.lessons.all == !args.lessons.names.empty()) {
+  if (!args.sheet && args.lessons.all == !args.lessons.names.empty()) {
     std::cerr << "gjkscope " << (tells ? "transcript" : "export")
               << ": name lessons, or give --all\n";
     return kUsage;

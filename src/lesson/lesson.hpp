@@ -154,7 +154,6 @@ struct Lesson {
 
   std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.
   ScalarKind scalar = ScalarKind::double_;
-  std::optional<ScalarKind> beside;  ///< The scalar of a second run, for the effect "second-run".
   /// Start at the first vertices, unless told otherwise.
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.

@@ -11,6 +11,7 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/schema.hpp"
+#include "lesson/stop_tests.hpp"
 #include "lesson/table_kind.hpp"
 #include "lesson/toml_reader.hpp"
 
@@ -63,6 +64,7 @@ class LessonReader {
   void read_path(const Table& path, Place place);
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
   void read_act_table(const Table& file);
+  void check_table_is_shown();
   void read_steps(const Table& steps, const Table& file);
   void check_act(const Act& act, const Field& granularity, const Table& file);
   void check_needs(const Term& term, const Field& field, std::string_view what);
@@ -87,10 +89,10 @@ class LessonReader {
   double largest_ = limits::kLargest;  ///< The largest coordinate in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
   Field warm_;
+  Place table_place_;                                ///< The place of the act's table.
   std::array<ShapePlace, kBodyKeys.size()> places_;  ///< One for each body.
   std::array<Field, kBodyKeys.size()> outlines_;     ///< One for each body.
   std::array<Field, kBodyKeys.size()> radii_;        ///< One for each body.
-  Field beside_;
   bool act_is_known_ = true;  ///< False: the file names one that there is not.
   std::map<std::string, int> line_of_vertex_name_;
 };
@@ -103,9 +105,7 @@ Lesson LessonReader::read(const toml::table& root) {
   if (query)
     lesson_.scalar =
         reader_.choice<ScalarKind>((*query)["scalar"], "scalar").value_or(lesson_.scalar);
-  if (query) read_beside((*query)["beside"]);
-  if (lesson_.scalar == ScalarKind::half || lesson_.beside == ScalarKind::half)
-    largest_ = limits::kLargestHalf;
+  if (lesson_.scalar == ScalarKind::half) largest_ = limits::kLargestHalf;
 
   if (const auto shapes = reader_.table(file["shapes"], "shapes")) {
     for (std::size_t body = 0; body < kBodyKeys.size(); ++body)
@@ -297,33 +297,15 @@ std::optional<gjk::VertexPair> LessonReader::simplex_vertex(const Field& field) 
   return gjk::VertexPair{*x, *y};
 }
 
-void LessonReader::read_beside(const Field& beside) {
-  beside_ = beside;
-  lesson_.beside = reader_.choice<ScalarKind>(beside, "scalar");
-  if (lesson_.beside == lesson_.scalar) {
-    problems_.add(beside.place(), "the second run has the scalar of the first",
-                  fmt::format("another one than '{}'", name_of(lesson_.scalar)));
-  }
-}
-
 void LessonReader::read_query(const Table& query) {
   gjk::Options& options = lesson_.options;
   options.direction_rule = reader_.choice<gjk::DirectionRule>(query["direction"], "direction rule")
                                .value_or(options.direction_rule);
   options.region_order = reader_.choice<gjk::RegionOrder>(query["regions"], "region order")
                              .value_or(options.region_order);
-  if (const Field stop = query["stop"]; stop && stop.node->is_array()) {
-    const std::vector<std::string> known = {"repeated-support", "no-progress"};
-    options.stop_on_repeated_support = false;
-    options.stop_on_no_progress = false;
-    for (const Field& entry :
-         reader_.entries(stop, "one of: repeated-support, no-progress (the others always apply)")) {
-      const std::optional<std::string> name = reader_.name(entry, "stop test", known);
-      if (name == known[0]) options.stop_on_repeated_support = true;
-      if (name == known[1]) options.stop_on_no_progress = true;
-    }
-  } else {
-    (void)reader_.entries(stop, "");
+  if (const auto stop = read_stop_tests(reader_, query["stop"])) {
+    options.stop_on_repeated_support = (*stop)[0];
+    options.stop_on_no_progress = (*stop)[1];
   }
   options.tolerance =
       reader_.number(query["tolerance"], 0.0, std::nextafter(1.0, 0.0)).value_or(options.tolerance);
@@ -435,7 +417,7 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
   return read;
 }
 
-/// A block, a listing or an effect goes with one act, or shows the second run.
+/// A block, a listing or an effect goes with one act, or with a table.
 void LessonReader::check_needs(const Term& term, const Field& field, std::string_view what) {
   if (!term.act.empty() && lesson_.act != term.act) {
     const Act* act = vocabulary_.act(term.act);
@@ -447,9 +429,10 @@ void LessonReader::check_needs(const Term& term, const Field& field, std::string
     problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, term.act),
                   expected);
   }
-  if (term.second_run && !beside_) {
-    problems_.add(field.place(), fmt::format("{} without a second run", what),
-                  "'beside' in [query]");
+  const TableKind* table = lesson_.table.kind();
+  if (!term.table.empty() && (table == nullptr || table->name != term.table)) {
+    problems_.add(field.place(), fmt::format("{} without a table [{}]", what, term.table),
+                  fmt::format("a table [{}]", term.table));
   }
   const std::size_t of_x = lesson_.x().vertices.size();
   const std::size_t of_y = lesson_.y().vertices.size();
@@ -538,6 +521,7 @@ void LessonReader::read_act_table(const Table& file) {
       read = kind->read({*table, field.place(), reader_, problems_, lesson_, folder_, read_file_});
     if (kind == own) {
       lesson_.table = std::move(read);
+      table_place_ = field.place();
     } else if (act_is_known_) {
       const std::vector<std::string> acts = names_of(acts_with(vocabulary_.acts, *kind));
       problems_.add(field.place(),
@@ -593,14 +577,22 @@ void LessonReader::read_views(const Field& views) {
     }
     lesson_.views.push_back(std::move(view));
   }
-  const auto shows = [&](const Term& term) { return lesson_.calls_for(term.name); };
-  std::vector<Term> second;
-  std::copy_if(vocabulary_.effects.begin(), vocabulary_.effects.end(), std::back_inserter(second),
-               [](const Term& term) { return term.second_run; });
-  if (beside_ && std::none_of(second.begin(), second.end(), shows)) {
-    problems_.add(
-        beside_.place(), "'beside' without a view that shows the second run",
-        fmt::format("\"{}\" among a view's effects", fmt::join(names_of(second), "\" or \"")));
+  check_table_is_shown();
+}
+
+/// A table that an act may do without is there for effects of views.
+void LessonReader::check_table_is_shown() {
+  if (!vocabulary_.act(lesson_.act)->needs.table_is_optional || lesson_.table.kind() == nullptr)
+    return;
+  const std::string_view name = lesson_.table.kind()->name;
+  std::vector<std::string> effects;
+  for (const Term& effect : vocabulary_.effects) {
+    if (effect.table == name) effects.emplace_back(effect.name);
+  }
+  const auto shows = [&](const std::string& effect) { return lesson_.calls_for(effect); };
+  if (!effects.empty() && std::none_of(effects.begin(), effects.end(), shows)) {
+    problems_.add(table_place_, fmt::format("a table [{}] that no view shows", name),
+                  fmt::format("\"{}\" among a view's effects", fmt::join(effects, "\" or \"")));
   }
 }
 

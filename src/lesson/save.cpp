@@ -10,6 +10,7 @@
 #include "base/decimal.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
+#include "lesson/stop_tests.hpp"
 #include "lesson/table_kind.hpp"
 #include "lesson/toml_patch.hpp"
 
@@ -58,15 +59,10 @@ void write_query(TomlText& out, const Lesson& lesson) {
   const gjk::Options& options = lesson.options;
   out.table("[query]");
   out.choice("scalar", lesson.scalar, defaults.scalar);
-  if (lesson.beside) out.key("beside", as_text(name_of(*lesson.beside)));
   out.choice("direction", options.direction_rule, defaults.options.direction_rule);
   out.choice("regions", options.region_order, defaults.options.region_order);
-  if (!options.stop_on_repeated_support || !options.stop_on_no_progress) {
-    std::vector<gjk::StopReason> tests;
-    if (options.stop_on_repeated_support) tests.push_back(gjk::StopReason::repeated_support);
-    if (options.stop_on_no_progress) tests.push_back(gjk::StopReason::no_progress);
-    out.list("stop", names_as_texts(tests));
-  }
+  if (!options.stop_on_repeated_support || !options.stop_on_no_progress)
+    write_stop_tests(out, {options.stop_on_repeated_support, options.stop_on_no_progress});
   out.number("tolerance", options.tolerance, defaults.options.tolerance);
   out.whole_number("cap", options.iteration_cap, defaults.options.iteration_cap);
   write_start(out, lesson);

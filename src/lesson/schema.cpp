@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "lesson/names.hpp"
+#include "lesson/stop_tests.hpp"
 #include "lesson/table_kind.hpp"
 #include "lesson/vocabulary.hpp"
 
@@ -70,13 +71,11 @@ std::vector<LessonKey> own_keys() {
 
       {"query", "scalar", one_of(names_of<ScalarKind>()), "double",
        "numbers that the run computes with"},
-      {"query", "beside", one_of(names_of<ScalarKind>()), "no second run",
-       "numbers of a second run from the same vertices, for the effect `second-run`"},
       {"query", "direction", one_of(names_of<gjk::DirectionRule>()), "perpendicular",
        "how the search direction is built"},
       {"query", "regions", one_of(names_of<gjk::RegionOrder>()), "vertices-first",
        "order of the region tests; unchecked: vertices first, and each of them is believed"},
-      {"query", "stop", "list of: repeated-support, no-progress", "both",
+      {"query", "stop", std::string(kStopTests), "both",
        "stop tests that may be left out; origin inside, zero direction and the cap always apply"},
       {"query", "tolerance", "number of at least 0 and below 1", "0",
        "stop when lower >= (1 - tolerance) * upper; 0 leaves this test out"},
@@ -171,12 +170,18 @@ std::string one_of(const std::vector<std::string>& names) {
 std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts) {
   std::vector<LessonKey> keys = own_keys();
   for (const TableKind* table : tables_of(acts)) {
-    const std::vector<std::string> names = names_of(acts_with(acts, *table));
-    keys.push_back(
-        {"", std::string(table->name), fmt::format("table [{}]", table->name),
-         table->is_optional ? "its defaults" : "none",
-         fmt::format("{}; {} with granularity `{}`, refused with any other", table->meaning,
-                     table->is_optional ? "optional" : "required", fmt::join(names, "`, `"))});
+    std::string uses;
+    for (const bool optional : {false, true}) {
+      std::vector<const Act*> takers = acts_with(acts, *table);
+      std::erase_if(takers,
+                    [&](const Act* act) { return act->needs.table_is_optional != optional; });
+      if (!takers.empty()) {
+        uses += fmt::format("; {} with granularity `{}`", optional ? "optional" : "required",
+                            fmt::join(names_of(takers), "`, `"));
+      }
+    }
+    keys.push_back({"", std::string(table->name), fmt::format("table [{}]", table->name), "none",
+                    fmt::format("{}{}, refused with any other", table->meaning, uses)});
     const std::vector<LessonKey> more = table->keys();
     keys.insert(keys.end(), more.begin(), more.end());
   }

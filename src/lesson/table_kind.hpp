@@ -34,7 +34,6 @@ struct TableKind {
   /// Reports every problem. What it returns counts only where there is none.
   ActTable (*read)(const TableSource& source);
   void (*write)(const ActTable& table, TomlText& out);
-  bool is_optional = false;  ///< A file may leave the table out; then Lesson::table is empty.
 };
 
 }  // namespace gjkscope

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -92,10 +93,22 @@ std::string in_quotes(std::string_view name) {
 
 namespace {
 
-void refuse_other_keys(const toml::table& table, const std::vector<std::string>& known,
-                       Problems& problems) {
+/// Keys that a table had once, and what says the same today.
+constexpr std::array<std::array<std::string_view, 3>, 1> kFormerKeys = {
+    {{"query", "beside", "'scalar' in a table [second]"}}};
+
+void refuse_other_keys(const toml::table& table, std::string_view name,
+                       const std::vector<std::string>& known, Problems& problems) {
   for (const auto& [key, value] : table) {
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    const auto former = std::find_if(kFormerKeys.begin(), kFormerKeys.end(), [&](const auto& each) {
+      return each[0] == name && each[1] == key.str();
+    });
+    if (former != kFormerKeys.end()) {
+      problems.add(place_at(key.source().begin), in_quotes(key.str()) + " has another name now",
+                   std::string((*former)[2]));
+      continue;
+    }
     problems.add(place_at(key.source().begin), "unknown key " + in_quotes(key.str()),
                  fmt::format("one of: {}", fmt::join(known, ", ")), nearest_name(key.str(), known));
   }
@@ -115,7 +128,7 @@ Table::Table(const toml::table& table, std::string_view name, const std::vector<
                    key.type);
     }
   }
-  refuse_other_keys(table, known, problems);
+  refuse_other_keys(table, name, known, problems);
 }
 
 Field Table::operator[](std::string_view key) const {
@@ -146,7 +159,7 @@ std::vector<std::pair<std::string, Field>> Reader::named_entries(
     wrong_type(field);
     return entries;
   }
-  refuse_other_keys(*table, known, problems_);
+  refuse_other_keys(*table, "", known, problems_);
   for (const std::string& name : known) {
     if (const toml::node* node = table->get(name))
       entries.emplace_back(name, Field{node, fmt::format("'{}'", name), "number of at least 0"});

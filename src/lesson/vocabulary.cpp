@@ -10,7 +10,7 @@ namespace gjkscope {
 std::vector<std::string_view> ActNeeds::required_tables() const {
   std::vector<std::string_view> names;
   if (path == PathUse::needed) names.emplace_back("path");
-  if (table != nullptr && !table->is_optional) names.push_back(table->name);
+  if (table != nullptr && !table_is_optional) names.push_back(table->name);
   return names;
 }
 

@@ -32,6 +32,7 @@ enum class PathUse { refused, possible, needed };
 struct ActNeeds {
   /// The table that the act takes; nullptr: none. A lesson has no other act's table.
   const TableKind* table = nullptr;
+  bool table_is_optional = false;  ///< A file may leave it out; then Lesson::table is empty.
   PathUse path = PathUse::possible;
   int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
   int most_vertices = 0;      ///< In each shape; 0: as many as a lesson may have.
@@ -115,9 +116,9 @@ struct Act {
 /// A panel block, a listing or an effect.
 struct Term {
   std::string_view name;
-  std::string_view act = {};   ///< The act that it goes with; empty: any.
-  bool second_run = false;     ///< It shows the run in the scalar `query.beside`.
-  bool takes_listing = false;  ///< A block that shows `panel.listing`.
+  std::string_view act = {};    ///< The act that it goes with; empty: any.
+  std::string_view table = {};  ///< The table that it shows; empty: none.
+  bool takes_listing = false;   ///< A block that shows `panel.listing`.
   /// It needs every pair of a vertex of X and one of Y: more than limits::kDifferences are refused.
   bool pairs_vertices = false;
 };

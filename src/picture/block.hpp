@@ -14,8 +14,8 @@ struct Block {
   std::string_view name;     ///< By which lessons call for it.
   std::string_view meaning;  ///< The content of the block, in words.
   void (*write)(PanelBuilder& panel) = nullptr;
-  std::string_view act = {};  ///< The act that it goes with; empty: any.
-  bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
+  std::string_view act = {};    ///< The act that it goes with; empty: any.
+  std::string_view table = {};  ///< The table that it shows; empty: none.
   bool takes_listing = false;
 };
 

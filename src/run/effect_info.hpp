@@ -9,18 +9,19 @@ struct EffectInfo {
   std::string_view name;
   std::string_view
       needs;  ///< Names of the effects that it pulls, separated by commas; empty: the trace alone.
-  std::string_view summary;   ///< One line for `gjkscope explain`.
-  std::string_view used_by;   ///< "view": a lesson's views call for it by name; "panel": a panel
-                              ///< block does; "frame": any part of a frame may.
-  std::string_view act = {};  ///< The act that it goes with; empty: any.
-  bool second_run = false;    ///< It shows the run in the scalar `query.beside`.
+  std::string_view summary;     ///< One line for `gjkscope explain`.
+  std::string_view used_by;     ///< "view": a lesson's views call for it by name; "panel": a panel
+                                ///< block does; "frame": any part of a frame may.
+  std::string_view act = {};    ///< The act that it goes with; empty: any.
+  std::string_view table = {};  ///< The table that it shows; empty: none.
 };
 
 /// The entry of the effect E (run/graph.hpp).
 template <class E>
 [[nodiscard]] constexpr EffectInfo effect_info(std::string_view used_by, std::string_view summary,
-                                               std::string_view act = {}, bool second_run = false) {
-  return {E::kName, E::kNeeds, summary, used_by, act, second_run};
+                                               std::string_view act = {},
+                                               std::string_view table = {}) {
+  return {E::kName, E::kNeeds, summary, used_by, act, table};
 }
 
 /// These belong to no subject: any frame may use them.

@@ -12,8 +12,8 @@
 #include "lesson/schema.hpp"
 #include "outlines/polygon.hpp"
 #include "subjects/run/subject.hpp"
-#include "subjects/scalars/second_run.hpp"
-#include "subjects/scalars/subject.hpp"
+#include "subjects/second_run/second_run.hpp"
+#include "subjects/second_run/subject.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope::edit {
@@ -276,7 +276,6 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   lesson.phases.clear();
   lesson.questions.clear();
   lesson.table = {};
-  lesson.beside.reset();
   for (LessonShape& shape : lesson.bodies) {
     if (!act.needs.takes_radius) shape.radius = 0.0;
   }
@@ -286,7 +285,7 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   for (LessonView& view : lesson.views) {
     std::erase_if(view.effects, [](const std::string& name) {
       const Term* effect = find_term(vocabulary().effects, name);
-      return effect == nullptr || !effect->act.empty() || effect->second_run;
+      return effect == nullptr || !effect->act.empty() || !effect->table.empty();
     });
   }
   return lesson;
@@ -296,7 +295,8 @@ Lesson told_twice(Lesson lesson, std::optional<ScalarKind> beside) {
   const bool has_listing = lesson.has_block(blocks::kPseudocode.name);
   const std::string block(blocks::kTwoRuns.name);
   const std::string effect(SecondRun::kName);
-  lesson.beside = beside;
+  lesson.table = {};
+  if (beside) lesson.table = ActTable(LessonSecond{.scalar = beside});
   std::erase(lesson.panel, block);
   if (beside) lesson.panel = {block};
   if (beside && has_listing) lesson.panel.emplace(lesson.panel.begin(), blocks::kPseudocode.name);

@@ -26,14 +26,14 @@ Vocabulary make_vocabulary() {
   }
   out.keys = lesson_keys(out.acts);
   for (const Block* block : registered_blocks())
-    out.blocks.push_back({block->name, block->act, block->second_run, block->takes_listing});
+    out.blocks.push_back({block->name, block->act, block->table, block->takes_listing});
   for (const Listing* listing : registered_listings())
     out.listings.push_back({listing->name, listing->act});
   for (const EffectInfo* effect : registered_effects()) {
     if (effect->used_by == "view")
       out.effects.push_back({.name = effect->name,
                              .act = effect->act,
-                             .second_run = effect->second_run,
+                             .table = effect->table,
                              .pairs_vertices = pulls(*effect, MinkowskiCloud::kName)});
   }
   return out;

@@ -285,7 +285,7 @@ FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& la
     smallest = i;
     of_smallest = fault;
   }
-  if (!smallest) return out;
+  if (!smallest || !options.reduces) return out;
   const bool is_heard = std::any_of(replies.begin(), replies.end(), [](const Reply& reply) {
     return reply.kind == Reply::Kind::answered;
   });

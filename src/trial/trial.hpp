@@ -34,6 +34,7 @@ struct TrialOptions {
   int dimension = 0;                  ///< 2, 3, or 0 for both.
   int pairs = 2000;                   ///< In each family.
   std::uint64_t seed = 1;
+  bool reduces = true;    ///< The smallest failing case is looked for.
   bool in_float = false;  ///< Coordinates are floats, and so may be what the program computes in.
   Patience patience;
 };

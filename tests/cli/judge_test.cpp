@@ -111,6 +111,18 @@ TEST(JudgeProgram, OurOwnProgramFailsNowhere) {
     EXPECT_NE(std::string::npos, lines[i].find("| 40 | . |")) << lines[i];
 }
 
+TEST(JudgeProgram, ProgramsStandSideBySide) {
+  const test::TemporaryFolder folder;
+  const std::string zero = folder.file("zero", "while read -r line; do echo 0; done\n");
+  const std::string programs =
+      "judge --program '" GJKSCOPE_BINARY " solve -' --program 'sh " + zero + "'";
+  const Ran ran = run_program(programs + " --family gap --family grid --dimension 2 --pairs 20");
+  EXPECT_EQ(kProblem, ran.exit_code) << ran.err;
+  EXPECT_TRUE(says(ran, "| gjkscope solve - | sh ")) << ran.out;
+  EXPECT_TRUE(says(ran, "| gap | 2 | 20 | . | 20 i |")) << ran.out;
+  EXPECT_EQ(kUsage, run_program(programs + " --out x").exit_code);
+}
+
 TEST(JudgeProgram, AFamilyOfSpaceAloneIsNoneOfThePlane) {
   const Ran ran = run_program("judge --program cat --family flat --dimension 2");
   EXPECT_EQ(kCannot, ran.exit_code);

@@ -13,6 +13,7 @@
 #include "subjects/balance/balance.hpp"
 #include "subjects/balance/table.hpp"
 #include "subjects/growth/table.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/study/act.hpp"
 #include "subjects/study/table.hpp"
 #include "subjects/subjects.hpp"
@@ -524,31 +525,53 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   expect_refused(text, refused, file);
 }
 
+std::string with_second(const std::string& text, const std::string& keys) {
+  return replaced(text, "[steps]", "[second]\n" + keys + "\n[steps]");
+}
+
+std::string only_problem(const std::string& text) {
+  const LoadedLesson refused = parse(text);
+  return refused.problems.size() == 1 ? to_string(refused.problems[0]) : all_of(refused.problems);
+}
+
 TEST(Load, ASecondRunNeedsAnotherScalarAndAViewThatShowsIt) {
   const std::string shown =
       replaced(testing::kFullLesson, "\"history\"]", "\"history\", \"second-run\"]");
-  const std::string scalar = "scalar = \"float\"";
-  const LoadedLesson loaded = parse(replaced(shown, scalar, scalar + "\nbeside = \"exact\""));
+  const LoadedLesson loaded = parse(with_second(shown, "scalar = \"exact\""));
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  EXPECT_EQ(loaded.lesson->beside, ScalarKind::exact);
-  EXPECT_FALSE(parse(testing::kFullLesson).lesson->beside);
+  EXPECT_EQ(second_of(*loaded.lesson)->scalar, ScalarKind::exact);
+  EXPECT_FALSE(second_of(*parse(testing::kFullLesson).lesson));
 
-  const auto only_problem = [](const std::string& text) {
-    const LoadedLesson refused = parse(text);
-    return refused.problems.size() == 1 ? to_string(refused.problems[0]) : all_of(refused.problems);
-  };
-  EXPECT_EQ(only_problem(replaced(shown, scalar, scalar + "\nbeside = \"float\"")),
-            "lessons/two.toml:22:10: the second run has the scalar of the first; expected another "
+  EXPECT_EQ(only_problem(with_second(shown, "scalar = \"float\"")),
+            "lessons/two.toml:30:10: the second run has the scalar of the first; expected another "
             "one than 'float'");
   EXPECT_EQ(only_problem(shown),
-            "lessons/two.toml:41:42: effect 'second-run' without a second run; expected "
-            "'beside' in [query]");
-  EXPECT_EQ(only_problem(replaced(testing::kFullLesson, scalar, scalar + "\nbeside = \"exact\"")),
-            "lessons/two.toml:22:10: 'beside' without a view that shows the second run; expected "
-            "\"second-run\" among a view's effects");
+            "lessons/two.toml:41:42: effect 'second-run' without a table [second]; expected a "
+            "table [second]");
+  EXPECT_EQ(only_problem(with_second(testing::kFullLesson, "scalar = \"exact\"")),
+            "lessons/two.toml:29:1: a table [second] that no view shows; expected \"second-run\" "
+            "among a view's effects");
   EXPECT_EQ(only_problem(replaced(testing::kFullLesson, "\"weights\"]", "\"two-runs\"]")),
-            "lessons/two.toml:48:25: block 'two-runs' without a second run; expected 'beside' in "
-            "[query]");
+            "lessons/two.toml:48:25: block 'two-runs' without a table [second]; expected a table "
+            "[second]");
+  EXPECT_EQ(
+      only_problem(with_second(shown, "regions = \"unchecked\"")),
+      "lessons/two.toml:29:1: a second run that differs from the first in more than its scalar; "
+      "expected granularity = \"two-runs\" in [steps], which shows them side by side");
+  EXPECT_EQ(
+      only_problem(with_second(shown, "mistake = \"wrong-sign\"")),
+      "lessons/two.toml:29:1: a second run that differs from the first in more than its scalar; "
+      "expected granularity = \"two-runs\" in [steps], which shows them side by side");
+  EXPECT_EQ(only_problem(with_second(shown, "scalar = \"exact\"\nmistake = \"wrong-sign\"")),
+            "lessons/two.toml:29:1: [second] does not say which run it is; expected a mistake, a "
+            "log, or what differs in a run of GJK: scalar, direction, regions, stop");
+}
+
+TEST(Load, TheFormerKeyOfASecondRunIsRefusedWithTheNewOne) {
+  EXPECT_EQ(only_problem(replaced(testing::kFullLesson, "scalar = \"float\"",
+                                  "scalar = \"float\"\nbeside = \"exact\"")),
+            "lessons/two.toml:22:1: 'beside' has another name now; expected 'scalar' in a table "
+            "[second]");
 }
 
 TEST(Load, EffectsOfAllDifferencesOfTooManyVerticesAreRefused) {
@@ -580,7 +603,7 @@ TEST(Load, EffectsOfAllDifferencesOfTooManyVerticesAreRefused) {
 
 TEST(Load, CoordinatesOfASecondRunInHalfPrecisionMustBeHalves) {
   std::string text = replaced(testing::kFullLesson, "\"history\"]", "\"second-run\"]");
-  text = replaced(text, "direction =", "beside = \"half\"\ndirection =");
+  text = with_second(text, "scalar = \"half\"");
   EXPECT_TRUE(parse(text).lesson) << all_of(parse(text).problems);
   const LoadedLesson loaded = parse(replaced(text, "[6, 0]", "[70000, 0]"));
   ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);

@@ -18,6 +18,7 @@
 #include "lesson_texts.hpp"
 #include "subjects/balance/table.hpp"
 #include "subjects/growth/table.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/study/table.hpp"
 #include "subjects/subjects.hpp"
 
@@ -73,7 +74,6 @@ rotate = -30.0
 
 [query]
 scalar = "float"
-beside = "exact"
 direction = "towards-origin"
 regions = "edges-first"
 stop = ["no-progress"]
@@ -84,6 +84,9 @@ start = ["y3-C", "y1-A"]
 [steps]
 until = "stop"
 phases = ["closest", "stop"]
+
+[second]
+scalar = "exact"
 
 [[views]]
 show = "world"
@@ -350,7 +353,8 @@ Lesson any_lesson(Random& random) {
     if (one_in(random, 2)) view.effects = {any_name(random, names_of(vocabulary().effects))};
   }
   if (one_in(random, 6) && out.scalar != ScalarKind::exact) {
-    out.beside = ScalarKind::exact;
+    out.act = "iteration";
+    out.table = ActTable(LessonSecond{.scalar = ScalarKind::exact});
     out.views.back().effects = {"second-run"};
   }
   gjk::Options& options = out.options;
@@ -424,7 +428,7 @@ Lesson any_lesson(Random& random) {
       view.kind = ViewKind::plot;
     if (!shows_shapes(view.kind)) view.camera.reset();
     if (!shows_shapes(view.kind)) view.close_up.reset();
-    if (!shows_shapes(view.kind) && !out.beside) view.effects.clear();
+    if (!shows_shapes(view.kind) && !out.calls_for("second-run")) view.effects.clear();
   }
   for (std::size_t i = below(random, 4); i > 0; --i) {
     const std::string block = any_name(random, names_of(vocabulary().blocks));

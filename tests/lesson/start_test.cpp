@@ -8,7 +8,7 @@
 
 #include "lesson/case.hpp"
 #include "lessons.hpp"
-#include "subjects/scalars/second_run.hpp"
+#include "subjects/second_run/second_run.hpp"
 
 namespace gjkscope {
 namespace start_test {
@@ -69,8 +69,9 @@ TEST(Start, IsTheSameInEveryScalarInAllLessons) {
 TEST(Start, OfASecondRunIsThatOfTheFirstAtEachPositionOfAWarmPath) {
   int compared = 0;
   for (Lesson lesson : testing::shipped_lessons()) {
-    if (!lesson.warm_start || lesson.beside) continue;
-    lesson.beside = lesson.scalar == ScalarKind::exact ? ScalarKind::double_ : ScalarKind::exact;
+    if (!lesson.warm_start || lesson.table.kind()) continue;
+    lesson.table = ActTable(LessonSecond{
+        .scalar = lesson.scalar == ScalarKind::exact ? ScalarKind::double_ : ScalarKind::exact});
     const LessonRun run = run_lesson(lesson);
     if (run.act->algorithm->takes_outlines) continue;
     EffectGraph graph(run);

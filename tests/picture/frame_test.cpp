@@ -20,6 +20,7 @@
 #include "picture/theme.hpp"
 #include "picture/words.hpp"
 #include "run/questions.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/study/table.hpp"
 #include "subjects/subjects.hpp"
 
@@ -891,7 +892,7 @@ TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
 /// Two polygons in double, and in exact arithmetic beside it.
 LessonRun two_runs_of_polygons() {
   Lesson lesson = testing::shipped_lesson("polygons-gjk");
-  lesson.beside = ScalarKind::exact;
+  lesson.table = ActTable(LessonSecond{.scalar = ScalarKind::exact});
   for (LessonView& view : lesson.views) view.effects.emplace_back("second-run");
   lesson.panel = {"pseudocode", "two-runs"};
   return run_lesson(lesson);
@@ -964,7 +965,7 @@ TEST(Panel, SmallValuesAreNoZerosInTheListing) {
 }
 
 TEST(Panel, TheStopOfARunLightsOneLine) {
-  for (const char* id : {"polygons-gjk", "reported-overlap", "stop-vertex", "stop-repeated"}) {
+  for (const char* id : {"polygons-gjk", "reported-diamonds", "stop-vertex", "stop-repeated"}) {
     Lesson lesson = testing::shipped_lesson(id);
     lesson.listing = "gjk";
     if (!lesson.has_block("pseudocode")) lesson.panel.insert(lesson.panel.begin(), "pseudocode");

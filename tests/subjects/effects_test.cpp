@@ -16,7 +16,7 @@
 #include "subjects/run/subject.hpp"
 #include "subjects/run/voronoi.hpp"
 #include "subjects/scalars/every_scalar.hpp"
-#include "subjects/scalars/second_run.hpp"
+#include "subjects/second_run/second_run.hpp"
 #include "subjects/shape_hull/shape_hull.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/weights/barycentric.hpp"
@@ -249,7 +249,7 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
 
 TEST(SecondRun, InAScalarThatRoundsAlikeTheRunsDoNotPart) {
   Lesson lesson = shipped_lesson("polygon-evolution");
-  lesson.beside = ScalarKind::exact;
+  lesson.table = ActTable(LessonSecond{.scalar = ScalarKind::exact});
   const LessonRun run = run_lesson(lesson);
   EffectGraph graph(run);
   EXPECT_EQ(graph.get<SecondRun>(run.frames.back()).parting, -1);

@@ -13,10 +13,10 @@
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "mistakes/mistakes.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/two_runs/lesson_trace.hpp"
 #include "subjects/two_runs/log_lesson.hpp"
-#include "subjects/two_runs/table.hpp"
 
 namespace gjkscope {
 namespace two_runs_test {
@@ -176,7 +176,39 @@ TEST(TwoRuns, AScalarWithoutNumbersForTheShapesHasNoRun) {
   const LessonRun run = run_lesson(lesson);
   EXPECT_FALSE(trace_of(run).fits);
   EffectGraph effects(run);
-  EXPECT_NE(lesson_texts(run, effects).front().caption.find("no run in half"), std::string::npos);
+  EXPECT_NE(lesson_texts(run, effects).front().caption.find("no such run as the run in half"),
+            std::string::npos);
+}
+
+/// openGJK's scan for a support point began at the second vertex, so it missed b0.
+TEST(TwoRuns, TheReportedOverlapGoesWrongInItsSupportPoint) {
+  const LessonRun run = run_of(load_lesson(kLessons / "reported-overlap.toml", vocabulary()));
+  const TwoRunsTrace& both = trace_of(run);
+  ASSERT_TRUE(both.judgement && both.judgement->wrong);
+  EXPECT_EQ(both.judgement->wrong->part, judging::Part::support);
+  EXPECT_EQ(both.judgement->wrong->iteration, 2);
+  EXPECT_EQ(both.exact, 0.0);
+  EXPECT_NEAR(both.answer("second-distance"), 0.508965, 5e-7);
+}
+
+/// In half precision d = Q − P finds the wrong vertex, and a d at a right angle to the edge does
+/// not.
+TEST(TwoRuns, OtherRulesMakeASecondRun) {
+  Lesson lesson = load_lesson(kLessons / "direction-half.toml", vocabulary()).lesson.value();
+  lesson.act = "two-runs";
+  lesson.questions.clear();
+  lesson.panel = {"both-runs", "two-answers"};
+  for (LessonView& view : lesson.views) view.effects.clear();
+  lesson.table = ActTable(LessonSecond{.direction = gjk::DirectionRule::perpendicular});
+  const LessonRun run = run_lesson(lesson);
+  const TwoRunsTrace& both = trace_of(run);
+  EXPECT_FALSE(both.judgement);
+  EXPECT_GE(both.parting, 0);
+  EXPECT_EQ(both.runs[0].runs[0].trace.result.iterations, 1);
+  EXPECT_EQ(both.runs[1].runs[0].trace.result.iterations, 2);
+  EffectGraph effects(run);
+  EXPECT_NE(lesson_texts(run, effects).front().caption.find("The run with d across the edge"),
+            std::string::npos);
 }
 
 TEST(TwoRuns, TheTableSaysOneRun) {
@@ -189,7 +221,9 @@ TEST(TwoRuns, TheTableSaysOneRun) {
         second + "[[views]]\nshow = \"world\"\n[expect]\nstop = \"repeated-support\"\n";
     const LoadedLesson loaded = parse_lesson(text, "t.toml", vocabulary());
     ASSERT_FALSE(loaded.lesson);
-    EXPECT_EQ(loaded.problems.front().expected, "one of mistake, scalar and log");
+    EXPECT_EQ(
+        loaded.problems.front().expected,
+        "a mistake, a log, or what differs in a run of GJK: scalar, direction, regions, stop");
   }
 }
 

@@ -28,6 +28,7 @@
 #include "picture/theme.hpp"
 #include "session/hit.hpp"
 #include "study/configuration.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/study/act.hpp"
 #include "subjects/study/table.hpp"
 #include "subjects/subjects.hpp"
@@ -300,11 +301,11 @@ TEST(App, TwoRunsStandOnTheStage) {
   EXPECT_FALSE(has_marks_of_second());
   const std::string hint = window.app().message();
   window.app().run_command(kBoth);
-  EXPECT_EQ(ScalarKind::exact, session.lesson().beside);
+  EXPECT_EQ(ScalarKind::exact, second_of(session.lesson())->scalar);
   EXPECT_TRUE(session.lesson().has_block("two-runs"));
   EXPECT_TRUE(has_marks_of_second());
   window.app().run_command(kBoth);
-  EXPECT_FALSE(session.lesson().beside);
+  EXPECT_FALSE(second_of(session.lesson()));
   EXPECT_FALSE(has_marks_of_second());
   EXPECT_EQ(hint, window.app().message()) << "both were lessons";
 }

@@ -206,7 +206,7 @@ bool can_tell_twice(const Session& session) {
 void tell_twice(App& app, ScalarKind wanted) {
   const Lesson& lesson = app.session().lesson();
   const std::optional<ScalarKind> scalar =
-      lesson.beside ? std::nullopt : std::optional(scalar_beside(lesson, wanted));
+      second_of(lesson) ? std::nullopt : std::optional(scalar_beside(lesson, wanted));
   app.edit("second run", edit::told_twice(lesson, scalar));
 }
 
@@ -248,10 +248,10 @@ void draw_numerics(App& app, Beside& beside) {
   }
   ImGui::PopID();
   if (can_tell_twice(session)) {
-    const std::optional<ScalarKind>& told = run.lesson.beside;
-    bool on = told.has_value();
+    const LessonSecond* second = second_of(run.lesson);
+    bool on = second != nullptr;
     const std::string label = fmt::format("both runs on the stage{}###stage",
-                                          told ? fmt::format(" ({})", name_of(*told)) : "");
+                                          on ? fmt::format(" ({})", name_of(*second->scalar)) : "");
     if (ImGui::Checkbox(label.c_str(), &on)) return tell_twice(app, beside.scalar);
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("A second run in the scalar beside, with the options of this one");

@@ -151,7 +151,9 @@ const Act kCollide{
     .meaning =
         "visit of a pair of volumes, in search of segments that meet, and what comes "
         "of it; then the answer",
-    .needs = {.table = &LessonTrees::kKind, .why_no_until = "frames show how the search ends"},
+    .needs = {.table = &LessonTrees::kKind,
+              .table_is_optional = true,
+              .why_no_until = "frames show how the search ends"},
     .add_frames = add_frames,
     .asks = kCollideAsks,
     .answering_step = answering_step,
@@ -171,7 +173,9 @@ const Act kDistance{
     .meaning =
         "visit of a pair of volumes, in search of the closest segments, and what "
         "comes of it; then the answer",
-    .needs = {.table = &LessonTrees::kKind, .why_no_until = "frames show how the search ends"},
+    .needs = {.table = &LessonTrees::kKind,
+              .table_is_optional = true,
+              .why_no_until = "frames show how the search ends"},
     .add_frames = add_frames,
     .asks = kDistanceAsks,
     .answering_step = answering_step,

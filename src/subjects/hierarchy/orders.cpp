@@ -268,7 +268,9 @@ const Act kOrders{
     .meaning =
         "number of visits of two searches for the distance, of which one takes the "
         "nearer child first and one the left one; then the answer",
-    .needs = {.table = &LessonTrees::kKind, .why_no_until = "frames show how both searches end"},
+    .needs = {.table = &LessonTrees::kKind,
+              .table_is_optional = true,
+              .why_no_until = "frames show how both searches end"},
     .add_frames = add_order_frames,
     .algorithm = &kHierarchyDistance,
     .position = order_position,

@@ -44,7 +44,7 @@ void write_trees(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonTrees::kKind = {
-    "trees", "how trees of segments are built", tree_keys, read_trees, write_trees, true};
+const TableKind LessonTrees::kKind = {"trees", "how trees of segments are built", tree_keys,
+                                      read_trees, write_trees};
 
 }  // namespace gjkscope

@@ -1,5 +1,6 @@
 #include "run/questions.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/second_run/table.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -17,7 +18,7 @@ void iteration_frames(LessonRun& run, int index) { add_step_frames(run, index, e
 const Act kIteration{
     .name = "iteration",
     .meaning = "iteration of the run",
-    .needs = {.takes_radius = true},
+    .needs = {.table = &LessonSecond::kKind, .table_is_optional = true, .takes_radius = true},
     .add_frames = iteration_frames,
     .follows_run = true,
     .asks = asks::kOfSteps,

@@ -4,6 +4,7 @@
 #include "run/questions.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/run/voronoi.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::acts {
@@ -48,7 +49,7 @@ constexpr std::array kPathAsks = {kRegionAtPosition, asks::kClosest, asks::kSign
 const Act kPath{
     .name = "path",
     .meaning = "position of X on the path",
-    .needs = {.path = PathUse::needed},
+    .needs = {.table = &LessonSecond::kKind, .table_is_optional = true, .path = PathUse::needed},
     .add_frames = path_frames,
     .sweeps = true,
     .asks = kPathAsks,

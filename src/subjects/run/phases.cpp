@@ -2,6 +2,7 @@
 
 #include "run/questions.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/second_run/table.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -26,7 +27,10 @@ const Act kPhase{
     .meaning =
         "phase of each iteration: closest point, drop, direction, support, stop "
         "tests, add",
-    .needs = {.takes_phases = true, .takes_radius = true},
+    .needs = {.table = &LessonSecond::kKind,
+              .table_is_optional = true,
+              .takes_phases = true,
+              .takes_radius = true},
     .add_frames = phase_frames,
     .follows_run = true,
     .asks = asks::kOfSteps,

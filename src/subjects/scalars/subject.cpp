@@ -5,9 +5,8 @@
 namespace gjkscope {
 
 const SubjectParts subjects::scalars{
-    .blocks = {&blocks::kScalars, &blocks::kTwoRuns},
-    .effects = {&effect_infos::kEveryScalar, &effect_infos::kSecondRun},
-    .adds = captions::second_run,
+    .blocks = {&blocks::kScalars},
+    .effects = {&effect_infos::kEveryScalar},
 };
 
 }  // namespace gjkscope

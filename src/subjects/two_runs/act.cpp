@@ -12,10 +12,10 @@
 #include "run/graph.hpp"
 #include "run/questions.hpp"
 #include "subjects/run/subject.hpp"
-#include "subjects/scalars/subject.hpp"
+#include "subjects/second_run/subject.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/two_runs/lesson_trace.hpp"
-#include "subjects/two_runs/table.hpp"
 
 namespace gjkscope {
 
@@ -45,7 +45,7 @@ using judging::Part;
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : both(two_runs_of(run, frame)),
-        second(*run.lesson.table.as<LessonSecond>()),
+        second(*second_of(run.lesson)),
         step(frame.step),
         is_answer(frame.step < 0 || frame.step >= both.steps()) {}
 
@@ -59,17 +59,22 @@ struct Shown {
   }
   /// "the loop"
   [[nodiscard]] std::string name() const {
-    if (second.scalar) return fmt::format("the run in {}", name_of(*second.scalar));
-    return second.log ? "the logged run" : "the loop";
+    if (!second.is_gjk()) return second.log ? "the logged run" : "the loop";
+    std::string out = "the run";
+    if (second.scalar) out += fmt::format(" in {}", name_of(*second.scalar));
+    return second.has_rules() ? out + " with " + second.rules() : out;
   }
   [[nodiscard]] std::string short_name() const {
+    if (second.has_rules()) return "second";
     if (second.scalar) return std::string(name_of(*second.scalar));
     return second.log ? "log" : "loop";
   }
   [[nodiscard]] std::string first_name() const {
-    return second.scalar ? fmt::format("the run in {}", name_of(both.runs[0].lesson.scalar))
-                         : "GJK";
+    return is_in_scalars() ? fmt::format("the run in {}", name_of(both.runs[0].lesson.scalar))
+                           : "GJK";
   }
+  /// The runs differ in their numbers alone.
+  [[nodiscard]] bool is_in_scalars() const { return second.scalar && !second.has_rules(); }
   [[nodiscard]] const std::optional<judging::Finding>& wrong() const {
     return both.judgement->wrong;
   }
@@ -147,9 +152,9 @@ void words(const Story& story, FrameText& text) {
     text.caption = fmt::format("There are no two runs: {}.", why);
     return;
   }
-  if (!shown.both.fits && shown.second.scalar) {
-    text.caption = fmt::format("These shapes have no run in {}. Both views show {}.",
-                               name_of(*shown.second.scalar), shown.first_name());
+  if (!shown.both.fits && shown.second.is_gjk()) {
+    text.caption = fmt::format("These shapes have no such run as {}. Both views show {}.",
+                               shown.name(), shown.first_name());
     return;
   }
   if (!shown.both.fits) {
@@ -161,8 +166,10 @@ void words(const Story& story, FrameText& text) {
   if (shown.is_answer) {
     text.caption = answers(shown, numbers);
     if (story.frame.step < 0) {
-      text.detail =
-          fmt::format("Follow both runs, and find the step in which {} goes wrong.", shown.name());
+      text.detail = shown.second.is_gjk()
+                        ? std::string("Follow both runs, and find the step in which they part.")
+                        : fmt::format("Follow both runs, and find the step in which {} goes wrong.",
+                                      shown.name());
     } else if (!shown.second.mistake.empty()) {
       text.detail = std::string(shown.mistake().meaning);
     } else if (shown.both.judgement && shown.both.judgement->right()) {
@@ -234,9 +241,12 @@ void question(const Story& story, FrameText& text) {
   asked.choices.emplace_back(kNoDifference);
   if (shown.both.judgement && shown.wrong() && shown.wrong()->part == Part::vertex)
     asked.answer = kNoDifference;
-  text.caption = fmt::format(
-      "Question: this is the first step in which {} goes wrong. Which part of it is it?",
-      shown.name());
+  text.caption =
+      shown.second.is_gjk()
+          ? "Question: this is the first step in which the runs part. Which part of it is it?"
+          : fmt::format(
+                "Question: this is the first step in which {} goes wrong. Which part of it is it?",
+                shown.name());
 }
 
 // ---- the stage ----
@@ -286,7 +296,7 @@ void both_runs(PanelBuilder& panel) {
   const Frame beside = shown.frame_of(1);
   const WideState* state = beside.step < 0 ? nullptr : &second.state(beside);
   const std::string name =
-      shown.second.scalar ? std::string(name_of(first.lesson.scalar)) : std::string("GJK");
+      shown.is_in_scalars() ? std::string(name_of(first.lesson.scalar)) : std::string("GJK");
   blocks::two_columns(inner, {blocks::RunColumn{name, first.runs[0], &inner.state, inner.numbers},
                               blocks::RunColumn{shown.short_name(), second.runs[0], state,
                                                 Numbers(second.lesson)}});

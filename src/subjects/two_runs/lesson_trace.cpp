@@ -11,8 +11,8 @@
 #include "picture/words.hpp"
 #include "run/fields.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/second_run/second_run.hpp"
 #include "subjects/two_runs/logged_run.hpp"
-#include "subjects/two_runs/table.hpp"
 
 namespace gjkscope {
 namespace {
@@ -43,15 +43,7 @@ LessonRun alone(const Lesson& lesson, PositionedRun positioned) {
   return out;
 }
 
-/// The index of a step, -1 where there is none.
-int index_of(const WideTrace& trace, int iteration, Phase phase) {
-  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
-    if (trace.steps[i].iteration == iteration && trace.steps[i].phase == phase)
-      return static_cast<int>(i);
-  }
-  return -1;
-}
-/// That of the last step that is no later.
+/// The index of the last step that is no later.
 int index_up_to(const WideTrace& trace, int iteration, Phase phase) {
   int found = -1;
   for (std::size_t i = 0; i < trace.steps.size(); ++i) {
@@ -92,7 +84,7 @@ Phase blamed_phase(const judging::Finding& wrong, const std::array<const WideTra
   if (phase != Phase::drop) return phase;
   std::array<Eigen::Vector3d, 2> p;
   for (std::size_t k = 0; k < 2; ++k) {
-    const int at = index_of(*traces[k], wrong.iteration, Phase::closest);
+    const int at = index_of_step(*traces[k], wrong.iteration, Phase::closest);
     if (at < 0) return phase;
     p[k] = traces[k]->steps[static_cast<std::size_t>(at)].after.p;
   }
@@ -113,7 +105,7 @@ void find_shown(TwoRunsTrace& out) {
       TwoRunsStep step{iteration, phase, {}};
       std::array<bool, 2> has{};
       for (std::size_t k = 0; k < 2; ++k) {
-        has[k] = index_of(*traces[k], iteration, phase) >= 0;
+        has[k] = index_of_step(*traces[k], iteration, phase) >= 0;
         step.at[k] = index_up_to(*traces[k], iteration, phase);
       }
       const bool is_blamed = blamed && blamed->iteration == iteration && wrong_phase == phase;
@@ -140,14 +132,14 @@ void find_shown(TwoRunsTrace& out) {
 std::shared_ptr<const AlgorithmTrace> run_both(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace*) {
   auto out = std::make_shared<TwoRunsTrace>();
-  const LessonSecond& second = *lesson.table.as<LessonSecond>();
+  const LessonSecond& second = *second_of(lesson);
   out->exact = run.trace.result.distance;
   if (!why_not_drawn(run).empty()) {
     out->runs = {alone(lesson, run), alone(lesson, run)};
     return out;
   }
-  if (second.scalar) {
-    const PositionedRun other = run_again(run, started_as(run, lesson.options), *second.scalar);
+  if (second.is_gjk()) {
+    const PositionedRun other = second_of_gjk(second, run, lesson.options, lesson.scalar);
     out->fits = why_not_drawn(other).empty();
     out->runs = {alone(lesson, run), alone(lesson, out->fits ? other : run)};
     if (out->fits) find_shown(*out);
@@ -201,10 +193,11 @@ double TwoRunsTrace::answer(std::string_view name) const {
 
 Json TwoRunsTrace::json(const Lesson& lesson, const PositionedRun&) const {
   Json out;
-  const auto& second = *lesson.table.as<LessonSecond>();
-  out["second"] = second.log      ? "log"
-                  : second.scalar ? std::string(name_of(*second.scalar))
-                                  : second.mistake;
+  const LessonSecond& second = *second_of(lesson);
+  out["second"] = second.log        ? "log"
+                  : second.scalar   ? std::string(name_of(*second.scalar))
+                  : second.is_gjk() ? second.rules()
+                                    : second.mistake;
   if (!fits) {
     out["refused"] = second.log ? "the log is about other shapes" : "no run in this scalar";
     return out;

@@ -6,8 +6,8 @@
 #include "lesson/names.hpp"
 #include "lesson/save.hpp"
 #include "run/run.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/subjects.hpp"
-#include "subjects/two_runs/table.hpp"
 
 namespace gjkscope {
 namespace {

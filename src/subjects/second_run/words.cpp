@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "picture/story.hpp"
-#include "subjects/scalars/second_run.hpp"
-#include "subjects/scalars/subject.hpp"
+#include "subjects/second_run/second_run.hpp"
+#include "subjects/second_run/subject.hpp"
 
 namespace gjkscope::captions {
 namespace {
@@ -85,11 +85,11 @@ void second_run(const Story& story, FrameText& text) {
   if (!step) return;
   const std::string in_first = arithmetic(story.run.lesson.scalar);
   const std::string first = at_the_start(in_first);
-  const std::string other = arithmetic(*story.run.lesson.beside);
+  const std::string other = arithmetic(*second_of(story.run.lesson)->scalar);
   const WideState& mine = story.state;
   const WideState& beside = step->after;
   Lesson in_other = story.run.lesson;
-  in_other.scalar = *story.run.lesson.beside;
+  in_other.scalar = *second_of(story.run.lesson)->scalar;
   const Numbers numbers(in_other);
   const auto point = [&](const Vector3d& v) {
     return fmt::format("({}, {})", numbers(v.x()), numbers(v.y()));

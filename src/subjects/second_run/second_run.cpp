@@ -1,16 +1,29 @@
-#include "subjects/scalars/second_run.hpp"
+#include "subjects/second_run/second_run.hpp"
 
-#include "subjects/scalars/subject.hpp"
+#include <algorithm>
+#include <cassert>
+
+#include "subjects/second_run/subject.hpp"
 
 namespace gjkscope {
+int index_of_step(const WideTrace& trace, int iteration, gjk::Phase phase) {
+  const auto found = std::find_if(
+      trace.steps.begin(), trace.steps.end(),
+      [&](const WideStep& each) { return each.iteration == iteration && each.phase == phase; });
+  return found == trace.steps.end() ? -1 : static_cast<int>(found - trace.steps.begin());
+}
+
+PositionedRun second_of_gjk(const LessonSecond& second, const PositionedRun& first,
+                            const gjk::Options& options, ScalarKind scalar) {
+  return run_again(first, second.options(started_as(first, options)),
+                   second.scalar.value_or(scalar));
+}
+
 namespace {
 
-/// The step of the same iteration and phase.
 const WideStep* same_step(const WideTrace& trace, const WideStep& step) {
-  for (const WideStep& each : trace.steps) {
-    if (each.phase == step.phase && each.iteration == step.iteration) return &each;
-  }
-  return nullptr;
+  const int index = index_of_step(trace, step.iteration, step.phase);
+  return index < 0 ? nullptr : &trace.steps[static_cast<std::size_t>(index)];
 }
 
 }  // namespace
@@ -19,7 +32,9 @@ EffectKey SecondRun::key(const LessonRun&, const Frame& frame) { return {frame.r
 
 SecondRun::Value SecondRun::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
   const PositionedRun& first = run.run(frame);
-  Value value{run_again(first, started_as(first, run.lesson.options), run.lesson.beside.value())};
+  const LessonSecond* second = second_of(run.lesson);
+  assert(second != nullptr && second->scalar);
+  Value value{second_of_gjk(*second, first, run.lesson.options, run.lesson.scalar)};
   const auto is_inside = [](const PositionedRun& each) {
     return each.trace.result.distance == 0.0;
   };
@@ -42,7 +57,8 @@ const WideStep* step_beside(const SecondRun::Value& second, const LessonRun& run
   return run.gjk_step(frame) < 0 ? nullptr : same_step(second.run.trace, run.step(frame));
 }
 
-const EffectInfo effect_infos::kSecondRun = effect_info<SecondRun>(
-    "view", "the same query in another scalar: its closest point and search", {}, true);
+const EffectInfo effect_infos::kSecondRun =
+    effect_info<SecondRun>("view", "the same query in another scalar: its closest point and search",
+                           {}, LessonSecond::kTable);
 
 }  // namespace gjkscope

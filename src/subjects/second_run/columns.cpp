@@ -1,4 +1,3 @@
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +6,8 @@
 #include <type_traits>
 
 #include "lesson/names.hpp"
-#include "subjects/scalars/second_run.hpp"
-#include "subjects/scalars/subject.hpp"
+#include "subjects/second_run/second_run.hpp"
+#include "subjects/second_run/subject.hpp"
 
 namespace gjkscope::blocks {
 namespace {
@@ -133,10 +132,10 @@ void two_runs(PanelBuilder& panel) {
   const SecondRun::Value& second = panel.effects.get<SecondRun>(panel.frame);
   const WideStep* beside = step_beside(second, panel.run, panel.frame);
   Lesson other = lesson;
-  other.scalar = *lesson.beside;
+  other.scalar = *second_of(lesson)->scalar;
   two_columns(panel, {RunColumn{std::string(name_of(lesson.scalar)), panel.run.run(panel.frame),
                                 panel.knows.phase ? &panel.state : nullptr, panel.numbers},
-                      RunColumn{std::string(name_of(*lesson.beside)), second.run,
+                      RunColumn{std::string(name_of(other.scalar)), second.run,
                                 beside ? &beside->after : nullptr, Numbers(other)}});
 }
 
@@ -145,6 +144,6 @@ void two_runs(PanelBuilder& panel) {
 const Block kTwoRuns{.name = "two-runs",
                      .meaning = "the lesson's run and the second one side by side",
                      .write = two_runs,
-                     .second_run = true};
+                     .table = LessonSecond::kTable};
 
 }  // namespace gjkscope::blocks

@@ -1,6 +1,6 @@
 #include "lesson/names.hpp"
-#include "subjects/scalars/second_run.hpp"
-#include "subjects/scalars/subject.hpp"
+#include "subjects/second_run/second_run.hpp"
+#include "subjects/second_run/subject.hpp"
 #include "subjects/weights/subject.hpp"
 
 namespace gjkscope::layers {
@@ -28,7 +28,7 @@ void second_run(SceneBuilder& scene) {
   const WideStep* step = step_beside(second, scene.run, scene.frame);
   if (!step) return;
   const WideState& state = step->after;
-  const std::string scalar(name_of(*scene.run.lesson.beside));
+  const std::string scalar(name_of(*second_of(scene.run.lesson)->scalar));
   const Point p = scene.at_difference(state.p);
   const auto name = [&](const std::string& what, const Point& anchor, double radius,
                         const Point& towards) {

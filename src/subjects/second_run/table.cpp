@@ -1,0 +1,163 @@
+#include "subjects/second_run/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lesson/names.hpp"
+#include "lesson/stop_tests.hpp"
+#include "lesson/table_kind.hpp"
+#include "mistakes/mistakes.hpp"
+
+namespace gjkscope {
+namespace {
+
+using toml_file::Field;
+
+constexpr std::string_view kSideBySide = "two-runs";
+constexpr int kLogBytes = 1 << 21;
+constexpr int kPathLength = 1000;
+
+std::vector<std::string> mistake_names() {
+  std::vector<std::string> out;
+  for (const Mistake& each : mistakes()) out.emplace_back(each.name);
+  return out;
+}
+
+std::vector<LessonKey> second_keys() {
+  const std::string otherwise = "one of the table's keys";
+  const std::string as_first = "that of the lesson's run";
+  return {
+      {"second", "mistake", one_of(mistake_names()), otherwise,
+       "the second run is that of the textbook's loop with this line changed (src/mistakes)"},
+      {"second", "log", text_up_to(kPathLength), otherwise,
+       "the second run is that of this log (docs/log-format.md), as seen from the folder of the "
+       "lesson; the shapes are those of the log"},
+      {"second", "scalar", one_of(names_of<ScalarKind>()), as_first,
+       "the second run is GJK in this scalar, from the same vertices"},
+      {"second", "direction", one_of(names_of<gjk::DirectionRule>()), as_first,
+       "the second run is GJK with this search direction"},
+      {"second", "regions", one_of(names_of<gjk::RegionOrder>()), as_first,
+       "the second run is GJK with this order of the region tests"},
+      {"second", "stop", std::string(kStopTests), as_first,
+       "the second run is GJK with these stop tests"},
+  };
+}
+
+std::optional<NamedFile> read_log_file(const TableSource& source, const Field& field,
+                                       LessonSecond& second) {
+  const std::optional<std::string> path = source.reader.text(field, kPathLength);
+  if (!path) return std::nullopt;
+  const std::filesystem::path file = source.folder / *path;
+  FileText read = source.read_file(file, kLogBytes);
+  if (!read.text || read.text->size() > kLogBytes) {
+    source.problems.add(
+        field.place(),
+        fmt::format("{}: {}", file.string(), read.text ? "the file is too large" : read.problem),
+        fmt::format("a log of at most {} bytes", kLogBytes));
+    return std::nullopt;
+  }
+  judging::ReadLog log = judging::read_log(*read.text, file.string());
+  if (!log.log || log.log->dimension != 2) {
+    source.problems.add(
+        field.place(), log.log ? file.string() + ": the log is in space" : to_string(log.problems));
+    return std::nullopt;
+  }
+  second.log = std::make_shared<const judging::Log>(*std::move(log.log));
+  return NamedFile{*path, std::make_shared<const std::string>(*std::move(read.text))};
+}
+
+/// A half cannot hold all that a double can.
+void check_halves(const TableSource& source, const Field& scalar) {
+  double largest = 0.0;
+  for (const LessonShape& shape : source.lesson.bodies) {
+    largest = std::max(largest, shape.translate.cwiseAbs().maxCoeff());
+    for (const Eigen::Vector2d& vertex : shape.vertices)
+      largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  }
+  if (largest > limits::kLargestHalf) {
+    source.problems.add(scalar.place(),
+                        fmt::format("half precision cannot hold the coordinate {}", largest),
+                        fmt::format("coordinates from {0} to -{0}", limits::kLargestHalf));
+  }
+}
+
+ActTable read_second(const TableSource& source) {
+  LessonSecond second;
+  const Field mistake = source.table["mistake"];
+  const Field log = source.table["log"];
+  const Field scalar = source.table["scalar"];
+  const Field direction = source.table["direction"];
+  const Field regions = source.table["regions"];
+  const Field stop = source.table["stop"];
+  const bool by_gjk = scalar || direction || regions || stop;
+  const auto refuse = [&](const Place& place, std::string what, std::string expected) {
+    source.problems.add(place, std::move(what), std::move(expected));
+  };
+  if (mistake)
+    second.mistake = source.reader.name(mistake, "mistake", mistake_names()).value_or("");
+  second.scalar = source.reader.choice<ScalarKind>(scalar, "scalar");
+  second.direction = source.reader.choice<gjk::DirectionRule>(direction, "direction rule");
+  second.regions = source.reader.choice<gjk::RegionOrder>(regions, "region order");
+  second.stop = read_stop_tests(source.reader, stop);
+  if (second.scalar == source.lesson.scalar && !second.has_rules()) {
+    refuse(scalar.place(), "the second run has the scalar of the first",
+           fmt::format("another one than '{}'", name_of(source.lesson.scalar)));
+  }
+  if (second.scalar == ScalarKind::half) check_halves(source, scalar);
+  if ((mistake ? 1 : 0) + (log ? 1 : 0) + (by_gjk ? 1 : 0) != 1) {
+    refuse(source.place, "[second] does not say which run it is",
+           "a mistake, a log, or what differs in a run of GJK: scalar, direction, regions, stop");
+  } else if (source.lesson.act != kSideBySide && (!second.is_gjk() || second.has_rules() || log)) {
+    refuse(
+        source.place, "a second run that differs from the first in more than its scalar",
+        fmt::format("granularity = \"{}\" in [steps], which shows them side by side", kSideBySide));
+  }
+  std::optional<NamedFile> file;
+  if (log) file = read_log_file(source, log, second);
+  ActTable read(std::move(second));
+  read.file = std::move(file);
+  return read;
+}
+
+void write_second(const ActTable& table, TomlText& out) {
+  const LessonSecond& second = *table.as<LessonSecond>();
+  out.table("[second]");
+  out.text("mistake", second.mistake, "");
+  if (table.file) out.text("log", table.file->path, "");
+  if (second.scalar) out.text("scalar", name_of(*second.scalar), "");
+  if (second.direction) out.text("direction", name_of(*second.direction), "");
+  if (second.regions) out.text("regions", name_of(*second.regions), "");
+  if (second.stop) write_stop_tests(out, *second.stop);
+}
+
+}  // namespace
+
+gjk::Options LessonSecond::options(gjk::Options first) const {
+  first.direction_rule = direction.value_or(first.direction_rule);
+  first.region_order = regions.value_or(first.region_order);
+  if (stop) {
+    first.stop_on_repeated_support = (*stop)[0];
+    first.stop_on_no_progress = (*stop)[1];
+  }
+  return first;
+}
+
+std::string LessonSecond::rules() const {
+  std::vector<std::string> out;
+  if (direction)
+    out.emplace_back(*direction == gjk::DirectionRule::towards_origin ? "d = O − P"
+                                                                      : "d across the edge");
+  if (regions) out.push_back(fmt::format("regions {}", name_of(*regions)));
+  if (stop && !(*stop)[0]) out.emplace_back("no test for a repeated support point");
+  if (stop && !(*stop)[1]) out.emplace_back("no test for progress");
+  if (stop && (*stop)[0] && (*stop)[1]) out.emplace_back("all stop tests");
+  return fmt::format("{}", fmt::join(out, " and "));
+}
+
+const LessonSecond* second_of(const Lesson& lesson) { return lesson.table.as<LessonSecond>(); }
+
+const TableKind LessonSecond::kKind = {kTable, "the run that is set beside the lesson's own",
+                                       second_keys, read_second, write_second};
+
+}  // namespace gjkscope
