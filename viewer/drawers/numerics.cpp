@@ -12,6 +12,7 @@
 #include "app.hpp"
 #include "lesson/names.hpp"
 #include "session/edit.hpp"
+#include "subjects/second_run/table.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {

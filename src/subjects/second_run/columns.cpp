@@ -42,7 +42,7 @@ std::string without_middle(std::string text, const std::function<bool(const std:
 
 }  // namespace
 
-void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns) {
+void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, double share) {
   constexpr double kNames = 62.0;
   const double half = 0.5 * (panel.right - panel.left - kNames);
   const std::array<double, 2> rights = {panel.left + kNames + half, panel.right};
@@ -82,7 +82,8 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns) {
       // The values themselves, which have their own digits in each column.
       if (since && both) {
         const std::array<double, 2> numbers = {value(columns[0]), value(columns[1])};
-        differ = numbers[0] != numbers[1];
+        const double most = std::max(std::abs(numbers[0]), std::abs(numbers[1]));
+        differ = std::abs(numbers[0] - numbers[1]) > share * most;
         if (differ && texts[0] == texts[1]) texts = told_apart(numbers);
       }
       for (std::string& text : texts) text = fitting(std::move(text));

@@ -21,8 +21,9 @@ struct RunColumn {
   const WideState* state;  ///< Null where the run has no step beside the frame's.
   Numbers numbers;
 };
-/// The numbers of two runs that the panel's frame knows, and where they differ.
-void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns);
+/// The numbers of two runs that the panel's frame knows, and where they differ by more than this
+/// share.
+void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, double share = 0.0);
 }  // namespace blocks
 
 namespace layers {

@@ -297,9 +297,13 @@ void both_runs(PanelBuilder& panel) {
   const WideState* state = beside.step < 0 ? nullptr : &second.state(beside);
   const std::string name =
       shown.is_in_scalars() ? std::string(name_of(first.lesson.scalar)) : std::string("GJK");
-  blocks::two_columns(inner, {blocks::RunColumn{name, first.runs[0], &inner.state, inner.numbers},
-                              blocks::RunColumn{shown.short_name(), second.runs[0], state,
-                                                Numbers(second.lesson)}});
+  // Rounding is the point of runs in two scalars alone.
+  constexpr double kRounding = 1e-9;
+  blocks::two_columns(
+      inner,
+      {blocks::RunColumn{name, first.runs[0], &inner.state, inner.numbers},
+       blocks::RunColumn{shown.short_name(), second.runs[0], state, Numbers(second.lesson)}},
+      shown.is_in_scalars() ? 0.0 : kRounding);
   panel.y = inner.y;
   std::move(inner.marks.begin(), inner.marks.end(), std::back_inserter(panel.marks));
 }
