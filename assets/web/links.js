@@ -42,7 +42,7 @@ async function address(more = "") {
 function look() {
   return (location.hash.match(LOOKS) ?? []).map((part) => `&${part.slice(1)}`).join("");
 }
-const LOOKS = /[#&](embed|theme=[\w-]*)(?=&|$)/g;
+const LOOKS = /[#&](embed|ask|theme=[\w-]*)(?=&|$)/g;
 
 let keptLinks = 0;
 
@@ -81,6 +81,7 @@ async function follow(hash) {
   try {
     const parts = partsOf(text);
     setLook(parts);
+    if (parts.has("ask") && data.asks && !state.predicting) await act({ do: "predict", on: true });
     if (parts.has("lesson")) {
       const lesson = await unpacked(parts.get("lesson"));
       if (!(await act({ do: "replace", lesson, name: "link" }))) return;

@@ -164,6 +164,7 @@ class SiteWriter {
     const std::string room = "\n" + assets({"place.js"});
     shared_["generator"] = signature();
     shared_["room"] = fmt::format("<script>{}</script>", room);
+    shared_["icon"] = "<link rel=\"icon\" href=\"data:,\">\n";
     if (options.package) {
       put_common_into_package(room);
     } else if (options.index && !options.single) {
@@ -398,6 +399,8 @@ class SiteWriter {
             "\"use strict\";\n" + filling("assets", assets_of_player().dump()) + common_.script));
     shared_["self"] = shared_["scripts"] = " 'self'";
     shared_["connect"] = " connect-src 'self';";
+    shared_["images"] = " 'self'";
+    shared_["icon"] = {};
   }
 
   [[nodiscard]] fs::path package_folder() const { return options_.out_dir.parent_path(); }

@@ -60,7 +60,7 @@ async function open(name, { from = server, width = 1280, height = 800, ...more }
   const context = await browser.newContext({ viewport: { width, height }, ...more });
   const opened = await context.newPage();
   opened.complaints = [];
-  opened.on("console", (message) => ["error", "warning"].includes(message.type()) && opened.complaints.push(message.text()));
+  opened.on("console", (message) => ["error", "warning"].includes(message.type()) && !message.location().url.endsWith("/favicon.ico") && opened.complaints.push(message.text()));
   opened.on("pageerror", (error) => opened.complaints.push(String(error)));
   opened.on("request", (request) => /^(data:|blob:)/.test(request.url()) || request.url().startsWith(from.address) || opened.complaints.push(`asks for ${request.url()}`));
   await opened.addInitScript(() => {
@@ -201,11 +201,12 @@ claim("an answer is told, by a key and by a click", async () => {
     for (let i = 0; i < 30 && !(await frame.locator("#question").isVisible()); ++i) {
       const before = await step(opened);
       await opened.keyboard.press("ArrowRight");
-      await until(async () => (await step(opened)) !== before, "a step");
+      await until(async () => (await step(opened)) !== before, `a step after ${before}`);
     }
   };
-  await opened.locator("gjk-lesson").evaluate((element) => { element.step = 1; element.focus(); });
-  await shows(opened, 1);
+  await opened.locator("gjk-lesson").evaluate((element) => { Object.assign(element, { step: 1, ask: true }); element.focus(); });
+  await hears(opened, "step");
+  await until(() => frame.evaluate(() => state.predicting && !sent && !waiting.length), "it asks");
   await toQuestion();
   await shoot(opened, "question");
   await opened.keyboard.press("1");
@@ -235,7 +236,9 @@ claim("the box gives the size: stage, buttons and words are in it", async () => 
       return [id, { left, top, right, bottom }];
     })));
     const fits = async () => Object.values(await boxes()).every((box) => box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height && box.bottom > box.top);
-    await until(() => frame.evaluate((wanted) => innerWidth === wanted[0] && innerHeight === wanted[1] && !sent && !waiting.length, [width, height]), "the size");
+    await until(() => frame.evaluate((wanted) => innerWidth === wanted[0] && innerHeight === wanted[1], [width, height]), "the size");
+    await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await until(() => frame.evaluate(() => !sent && !waiting.length), "the layout");
     await shoot(opened, `box-${width}x${height}`);
     await until(fits, `${width}x${height}: ${JSON.stringify(await boxes())}`);
     const { stage } = await boxes();
@@ -329,7 +332,7 @@ claim("in a deck of Reveal.js keys step the figure, and turn slides where it has
   await shows(opened, count - 1);
   const corner = frame.locator('#stage circle[data-of="x 0"]').first();
   const before = await frame.evaluate(() => state.changed);
-  await corner.scrollIntoViewIfNeeded();
+  await opened.waitForTimeout(400);  // motion is over
   const box = await corner.boundingBox();
   await opened.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await opened.mouse.down();

@@ -48,6 +48,8 @@ export class GjkLesson extends HTMLElement {
   step: number;
   /** How many steps there are; 0 until the figure is ready. */
   readonly count: number;
+  /** Asks before each step is shown, where the run can be asked about. */
+  ask: boolean;
   /** "auto" follows the system. */
   theme: Theme;
   addEventListener<K extends keyof GjkLessonEventMap>(

@@ -18,7 +18,7 @@ style.replaceSync(`
 `);
 
 export class GjkLesson extends HTMLElement {
-  static observedAttributes = ["lesson", "step", "theme"];
+  static observedAttributes = ["lesson", "step", "theme", "ask"];
 
   #root = this.attachShadow({ mode: "open", delegatesFocus: true });
   #frame = null;
@@ -38,6 +38,8 @@ export class GjkLesson extends HTMLElement {
   set lesson(id) { this.setAttribute("lesson", id); }
   get theme() { return this.getAttribute("theme") ?? "auto"; }
   set theme(name) { this.setAttribute("theme", name); }
+  get ask() { return this.hasAttribute("ask"); }
+  set ask(on) { this.toggleAttribute("ask", on); }
   /** The step that is shown, from 1. */
   get step() { return this.#step; }
   set step(number) { this.setAttribute("step", number); }
@@ -57,10 +59,10 @@ export class GjkLesson extends HTMLElement {
   attributeChangedCallback(name, last, value) {
     if (name === "step") this.#step = Math.max(1, Math.floor(Number(value)) || 1);
     if (!this.isConnected) return;
-    if (name !== "lesson") {
-      if (this.#live) this.#follow();
-    } else if (value !== last) {
-      this.#wait();
+    if (name === "lesson" || (name === "ask" && value === null)) {
+      if (value !== last) this.#wait();
+    } else if (this.#live) {
+      this.#follow();
     }
   }
 
@@ -100,7 +102,7 @@ export class GjkLesson extends HTMLElement {
   #came = false;  // whether the page in the frame has been heard
 
   #hash() {
-    return `#step=${this.#step}&embed&theme=${encodeURIComponent(this.theme)}`;
+    return `#step=${this.#step}&embed&theme=${encodeURIComponent(this.theme)}${this.ask ? "&ask" : ""}`;
   }
 
   #follow() {
