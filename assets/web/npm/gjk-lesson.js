@@ -1,5 +1,5 @@
 // The element gjk-lesson: a lesson's figure in a box of any page. The figure is the lesson's page of this
-// package in a frame, so neither page's style, script and policy reaches the other one.
+// package in a frame, so no style, key or policy of either page reaches the other one.
 
 import { lessons } from "./lessons.js";
 
@@ -26,6 +26,7 @@ export class GjkLesson extends HTMLElement {
   #count = 0;
   #live = false;
   #asked = "";  // the part after # that the frame was told
+  #came = false;  // whether the page in the frame has been heard
   #near = new IntersectionObserver((seen) => seen.some((each) => each.isIntersecting) && this.#start(), { rootMargin: NEAR });
   #hear = (event) => event.source === this.#frame?.contentWindow && this.#take(event.data);
 
@@ -57,7 +58,7 @@ export class GjkLesson extends HTMLElement {
   }
 
   attributeChangedCallback(name, last, value) {
-    if (name === "step") this.#step = Math.max(1, Math.floor(Number(value)) || 1);
+    if (name === "step" || name === "lesson") this.#step = Math.max(1, Math.floor(Number(this.getAttribute("step"))) || 1);
     if (!this.isConnected) return;
     if (name === "lesson" || (name === "ask" && value === null)) {
       if (value !== last) this.#wait();
@@ -99,7 +100,6 @@ export class GjkLesson extends HTMLElement {
     this.#root.replaceChildren(frame);
     if (hadFocus) frame.focus();
   }
-  #came = false;  // whether the page in the frame has been heard
 
   #hash() {
     return `#step=${this.#step}&embed&theme=${encodeURIComponent(this.theme)}${this.ask ? "&ask" : ""}`;
