@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
@@ -257,6 +258,36 @@ TEST_F(Site, OnePageMayHaveANameOfItsOwn) {
                                  {out_, share_, false, false, false, "monday.html"});
   EXPECT_EQ(files, std::vector<fs::path>{out_ / "monday.html"});
   EXPECT_NE(read_whole(out_ / "monday.html").find("stop-vertex"), std::string::npos);
+}
+
+TEST_F(Site, APackageHoldsAllThatItNamesAndNothingThatAStrictPolicyRefuses) {
+  fs::create_symlink(fs::path(GJKSCOPE_SOURCE_DIR) / "LICENSE", share_ / "LICENSE");
+  const std::vector<Lesson> lessons = {testing::shipped_lesson("stop-vertex")};
+  const SiteOptions options{.out_dir = out_, .share = share_, .package = true};
+  const auto files = export_site(lessons, options);
+  std::map<fs::path, std::string> texts;
+  for (const fs::path& file : files) texts[file] = read_whole(file);
+  const auto package = nlohmann::json::parse(texts.at(out_ / "package.json"));
+  EXPECT_EQ(package["files"].size() + 1, files.size());
+  for (const auto& file : package["files"])
+    EXPECT_TRUE(texts.contains(out_ / file.get<std::string>())) << file;
+  EXPECT_EQ(texts.at(out_ / "gjkscope.wasm.gz"), "hi");
+  const std::string& text = texts.at(out_ / "pages" / "stop-vertex.html");
+  for (const char* refused : {"<script>", "<style", " style=\"", " onload=", "{{"})
+    EXPECT_EQ(count(text, refused), 0u) << refused;
+  (void)export_site(lessons, options);
+  for (const auto& [file, before] : texts) EXPECT_EQ(read_whole(file), before) << file;
+}
+
+TEST_F(Site, APackageReplacesNothingOfSomebodyElse) {
+  fs::create_directories(out_);
+  for (const char* name : {"package.json", "LICENSE", "index.js"}) {
+    std::ofstream(out_ / name) << "mine";
+    EXPECT_THROW((void)export_site({}, {.out_dir = out_, .share = share_, .package = true}),
+                 std::runtime_error);
+    EXPECT_EQ(read_whole(out_ / name), "mine");
+    fs::remove(out_ / name);
+  }
 }
 
 TEST_F(Site, WithoutTheProgramForBrowsersItSaysHowToBuildIt) {
