@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 const browser = ["document", "window", "location", "history", "localStorage", "navigator", "performance", "matchMedia",
   "innerWidth", "innerHeight", "scrollY", "scrollTo", "addEventListener", "dispatchEvent", "requestAnimationFrame", "cancelAnimationFrame",
   "setTimeout", "clearTimeout", "setInterval", "clearInterval", "atob", "btoa", "Blob", "URL", "Image", "TextEncoder", "TextDecoder",
-  "CompressionStream", "DecompressionStream", "WebAssembly", "Worker", "postMessage", "MutationObserver", "getComputedStyle"];
+  "URLSearchParams", "fetch", "CompressionStream", "DecompressionStream", "WebAssembly", "Worker", "postMessage", "MutationObserver", "getComputedStyle"];
 const rules = {
   "no-undef": "error",
   "no-unused-vars": ["error", { vars: "local", args: "after-used" }],
@@ -34,6 +34,14 @@ export default [
   {
     files: ["**/assets/web/service-worker.js"],
     languageOptions: { globals: readonly(["registration", "caches", "fetch", "Response", "VERSION", "FILES"]) },
+  },
+  {
+    files: ["**/assets/web/npm/*.js"],
+    languageOptions: {
+      sourceType: "module",
+      globals: readonly([...browser, "compiled", "instanceOf", "HTMLElement", "CSSStyleSheet", "IntersectionObserver", "CustomEvent", "KeyboardEvent", "customElements", "removeEventListener"]),
+    },
+    rules,
   },
   {
     files: ["**/*.mjs"],

@@ -131,7 +131,7 @@ async function light(place) {
   const svg = $("stage").querySelector("svg");
   svg.querySelectorAll(".ring, .near").forEach((mark) => mark.remove());
   if (found.names) {
-    svg.insertAdjacentHTML("beforeend", found.names);
+    svg.insertAdjacentHTML("beforeend", unstyled(found.names));
     svg.lastElementChild.classList.add("near");
   }
   $("stage").classList.toggle("holds", /^[xyXYzZ]/.test(found.of));

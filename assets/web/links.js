@@ -38,6 +38,12 @@ async function address(more = "") {
   return location.href.split("#")[0] + ((await hashOfStep()) ?? `#step=${state.index + 1}`) + more;
 }
 
+/** How the address wants the page to look: it stays so from step to step. */
+function look() {
+  return (location.hash.match(LOOKS) ?? []).map((part) => `&${part.slice(1)}`).join("");
+}
+const LOOKS = /[#&](embed|ask|theme=[\w-]*)(?=&|$)/g;
+
 let keptLinks = 0;
 
 /** The address names the step, and holds what was changed: a reload and Back bring it again. */
@@ -46,7 +52,7 @@ async function keepLink() {
   const hash = await hashOfStep();
   if (hash === null || number !== keptLinks) return;
   try {
-    history.replaceState(null, "", hash + (root.classList.contains("embed") ? "&embed" : ""));
+    history.replaceState(null, "", hash + look());
   } catch {
     // An address that may not change, in a frame for example.
   }
@@ -74,7 +80,8 @@ async function follow(hash) {
   if (text.length > most) return say(`link: ${text.length} characters are too many; expected at most ${most}`);
   try {
     const parts = partsOf(text);
-    setEmbedded(parts.has("embed"));
+    setLook(parts);
+    if (parts.has("ask") && data.asks && !state.predicting) await act({ do: "predict", on: true });
     if (parts.has("lesson")) {
       const lesson = await unpacked(parts.get("lesson"));
       if (!(await act({ do: "replace", lesson, name: "link" }))) return;
@@ -92,14 +99,13 @@ async function follow(hash) {
   }
 }
 
-/** In a page of somebody else: the figure, and a way to the lesson. */
-function setEmbedded(on) {
-  if (root.classList.contains("embed") === on) return;
-  root.classList.toggle("embed", on);
-  $("whole").hidden = !on;
-  const link = $("whole").querySelector("a");
-  link.onpointerdown = link.onfocus = link.onclick = () => { link.href = location.href.replace("&embed", "").replace("#embed", "#"); };
-  link.onclick();
+/** Embedded, a page is the figure and a way to the lesson. */
+function setLook(parts) {
+  const embedded = parts.has("embed");
+  const theme = parts.has("theme") ? chosenTheme() : $("theme").value;
+  if (root.classList.contains("embed") === embedded && theme === $("theme").value) return;
+  root.classList.toggle("embed", embedded);
+  $("theme").value = theme;
   layout();
 }
 
@@ -153,7 +159,7 @@ async function saveSvg() {
 async function savePng() {
   const frame = await ask({ do: "frame" });
   if (!frame?.svg) return;
-  const fonts = `<style>${$("fonts").textContent}</style>`;
+  const fonts = `<style>${needed.fonts}</style>`;
   const svg = frame.svg.replace("<title>", `${fonts}<title>`);
   const image = new Image();
   image.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));

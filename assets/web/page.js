@@ -52,11 +52,14 @@ async function act(request, { moves = false, about } = {}) {
   return next;
 }
 
+/** A picture without the style inside that a strict policy would refuse; style.css has it. */
+const unstyled = (markup) => markup.replace(/ style="[^"]*"/, "");
+
 /** Puts a picture into its place, which knows it; what it says becomes its name. */
 function put(host, markup, role) {
   host.markup = markup;
   const template = document.createElement("template");
-  template.innerHTML = markup;
+  template.innerHTML = unstyled(markup);
   const svg = template.content.querySelector("svg");
   const title = svg.querySelector("title");
   svg.setAttribute("role", role);
@@ -116,6 +119,7 @@ function show(next, moves) {
   if (last && Boolean(last.question) !== Boolean(state.question) && placeOfBar() === "over") layout();
   keep(next);
   if (last && (last.index !== state.index || last.history.now !== state.history.now)) keepLink();
+  if (root.dataset.ready && last.index !== state.index) tellHost("step", shownStep());
   clearTimeout(paperTimer);
   paperTimer = setTimeout(async () => {
     const wanted = state;
@@ -232,7 +236,7 @@ function onKey(event) {
   const at = event.target;
   if (event.key === "Escape" && !$("busy").hidden) return cancel();
   if (event.key === "Escape" && held?.drags) return letGo();
-  if (event.key === "Escape") explain(null);
+  if (event.key === "Escape" && !$("link").open) return explained ? explain(null) : tellHost("leave");
   if (event.altKey || $("link").open) return;
   if (at.closest("input:not([type=checkbox]), textarea, select")) return;
   if (event.ctrlKey || event.metaKey) {
@@ -249,7 +253,8 @@ function onKey(event) {
   }
   if (state.question && /^[1-9]$/.test(event.key)) return pressChoice(Number(event.key));
   const does = KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
-  if (!does) return;
+  const isIdle = (event.key === "ArrowRight" && state.index + 1 === state.count && !state.question) || (event.key === "ArrowLeft" && state.index === 0);
+  if (!does || isIdle) return passOn(event);
   event.preventDefault();
   does(event);
 }

@@ -1,11 +1,16 @@
 "use strict";
 
+/** A compiled module, of its bytes, which a server or a browser may have unpacked. */
+async function compiled(bytes) {
+  const gzip = 0x1f;
+  return WebAssembly.compile(bytes[0] === gzip ? await through(new DecompressionStream("gzip"), bytes) : bytes);
+}
+
 /**
- * The program: a compiled module, without files and without a network. `fonts` are those of the six
- * faces, regular first, then their fallbacks; `assets` has `themes`, texts by name, and `terms`. Returns a function that
- * takes a request and gives the answer, both texts (docs/web.md).
+ * The program: an instance of a compiled module, without files and without a network. `ask` is a function from request to
+ * answer, both texts (docs/web.md); `lend` calls a function with bytes.
  */
-async function startPlayer(module, fonts, fallbacks, assets) {
+async function instanceOf(module) {
   let memory = null;
   const done = () => 0;
   const view = () => new DataView(memory.buffer);
@@ -51,18 +56,29 @@ async function startPlayer(module, fonts, fallbacks, assets) {
       program.gjk_free(at);
     }
   };
-  const write = new TextEncoder();
   const read = new TextDecoder();
+  const ask = (request) => {
+    const size = lend(encoded(request), program.gjk_ask);
+    return read.decode(new Uint8Array(memory.buffer, program.gjk_said(), size));
+  };
+  return { program, lend, ask };
+}
+
+const encoded = (text) => new TextEncoder().encode(text);
+
+/**
+ * A program that knows lessons, too. `fonts` are those of the six faces, regular first, then their fallbacks; `assets` has
+ * `themes`, texts by name, and `terms`. Returns what asks it.
+ */
+async function startPlayer(module, fonts, fallbacks, assets) {
+  const { program, lend, ask } = await instanceOf(module);
   fonts.forEach((bytes, face) => {
     lend(bytes, (at, size) => program.gjk_font(face, 0, at, size));
     lend(fallbacks[face], (at, size) => program.gjk_font(face, 1, at, size));
   });
-  if (!lend(write.encode(JSON.stringify(assets)), program.gjk_start))
+  if (!lend(encoded(JSON.stringify(assets)), program.gjk_start))
     throw new Error("the page's fonts, themes or terms are damaged");
-  return (request) => {
-    const size = lend(write.encode(request), program.gjk_ask);
-    return read.decode(new Uint8Array(memory.buffer, program.gjk_said(), size));
-  };
+  return ask;
 }
 
 /** The fonts of a style sheet that holds them as data, in its order. */

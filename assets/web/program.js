@@ -58,6 +58,24 @@ function showBusy(on) {
   keepFocus(focused);
 }
 
+/** What the program is made of. */
+let needed = null;
+
+async function load() {
+  const fetched = async (address) => {
+    const answer = await fetch(address);
+    if (!answer.ok) throw new Error(`${address.split("?")[0]} is not there`);
+    return answer;
+  };
+  const { address } = $("wasm").dataset;
+  const { href, textContent } = $("fonts");
+  needed = {
+    wasm: address ? new Uint8Array(await (await fetched(address)).arrayBuffer()) : await textOf("wasm"),
+    fonts: href ? await (await fetched(href)).text() : textContent,
+    assets: JSON.parse($("assets").textContent),
+  };
+}
+
 /** The text of an element; of one that is in a file for all pages, when that has come and put it there. */
 async function textOf(id) {
   const { dataset } = $(id);
@@ -75,15 +93,14 @@ async function startProgram() {
   worker?.terminate();
   showBusy(false);
   for (const { done } of [sent, ...waiting.splice(0)].filter(Boolean)) done(null);
-  script ??= URL.createObjectURL(new Blob([$("worker").textContent], { type: "text/javascript" }));
+  script ??= $("worker").dataset.address ?? URL.createObjectURL(new Blob([$("worker").textContent], { type: "text/javascript" }));
   const thread = new Worker(script);
   worker = thread;
   thread.onmessage = (event) => thread === worker && hear(event.data);
   thread.onerror = (event) => thread === worker && hear({ stopped: event.message ?? "its thread does not start" });
-  const wasm = module ? undefined : $("wasm").textContent;
   const started = await new Promise((done) => {
     sent = null;
-    waiting.unshift({ message: { module, wasm, fonts: $("fonts").textContent, assets: JSON.parse($("assets").textContent) }, done });
+    waiting.unshift({ message: { ...needed, module, wasm: module ? undefined : needed.wasm }, done });
     sendNext();
   });
   if (started?.stopped !== undefined) throw new Error(started.stopped);

@@ -6,6 +6,14 @@
 const CAN_RUN = Boolean(window.WebAssembly && window.Worker && window.DecompressionStream);
 document.documentElement.classList.toggle("js", CAN_RUN);
 
+/** In a low window the bar has no room below the figure; in one that shows nothing else it has some more. */
+function setLow() {
+  const { classList } = document.documentElement;
+  const height = classList.contains("embed") ? 26 : 36;
+  classList.toggle("low", CAN_RUN && matchMedia(`(max-height: ${height}rem) and (min-width: 34rem)`).matches);
+}
+setLow();
+
 /**
  * How large the figure is, in pixels of its own, and how much larger the page shows it: a projector
  * is looked at from afar.
@@ -14,6 +22,7 @@ function makeRoom() {
   const root = document.documentElement;
   const stage = document.getElementById("stage");
   const zoom = Math.min(2, Math.max(1, innerWidth / 1440));
+  setLow();
   root.style.setProperty("--zoom", zoom);
   const width = stage.clientWidth / zoom;
   const top = stage.getBoundingClientRect().top + scrollY;
@@ -43,11 +52,16 @@ function heightOf(width, left, zoom) {
   }
   // Controls and timeline, and the lines of the longest words, so that all of them are in sight.
   const [controls, lineHeight, characterWidth, widestLine] = [194, 27, 8.9, 1080];
-  const link = document.documentElement.classList.contains("embed") ? 40 : 0;
   const longest = Number(document.getElementById("stage").dataset.longest);
-  const below = controls + link + lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
+  const words = lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
+  if (document.documentElement.classList.contains("embed")) {
+    const others = ["controls", "timeline", "whole"].map((name) => document.querySelector(`.${name}, #${name}`).offsetHeight);
+    const [gaps, position] = [34, 27];
+    const rest = others.reduce((sum, height) => sum + height, gaps) / zoom + position;
+    return Math.max(0.5 * left / zoom, left / zoom - rest - words);
+  }
   const most = two ? Math.max(0.5 * width, Math.min(0.8 * width, 400)) : 0.62 * width;
-  return Math.min(most, Math.max(330, left / zoom - below));
+  return Math.min(most, Math.max(330, left / zoom - controls - words));
 }
 
 // A page that was cut off on its way has no script that would start it.

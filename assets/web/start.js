@@ -55,10 +55,13 @@ function connect() {
     stage.scrollIntoView({ block: "nearest" });
   };
   addEventListener("hashchange", () => follow(location.hash));
+  const whole = $("whole").querySelector("a");
+  whole.onpointerdown = whole.onfocus = whole.onclick = () => { whole.href = location.href.replace(LOOKS, (part) => part.replace(/[^#]/g, "")); };
+  whole.onclick();
   let wide = innerWidth;
   addEventListener("resize", () => {
-    // The bars of a phone come and go while one scrolls.
-    if (innerWidth === wide && innerWidth < 700) return;
+    // The bars of a phone come and go while one scrolls; a frame that is not shown has no size.
+    if (!innerWidth || (innerWidth === wide && innerWidth < 700 && !root.classList.contains("embed"))) return;
     wide = innerWidth;
     layout();
   });
@@ -74,7 +77,7 @@ async function start() {
   const link = location.hash;
   $("data").dataset.starts = true;
   $("theme").value = chosenTheme();
-  await textOf("wasm");
+  await load();
   for (const [name, text] of Object.entries(data.files)) data.files[name] = await inflated(text);
   await startProgram();
   state = await openLesson();
@@ -88,6 +91,7 @@ async function start() {
   root.dataset.live = true;
   await follow(link);
   root.dataset.ready = Math.round(performance.now());
+  tellHost("ready", shownStep());
   window.keepSite?.();
 }
 
@@ -98,4 +102,5 @@ function cannotStart(error) {
   root.classList.remove("js");
   $("stage").style.height = "";
   say(`The figure cannot be made live here: ${error.message}. The first frame and all words are below.`);
+  tellHost("problem", { message: error.message });
 }

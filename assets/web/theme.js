@@ -1,7 +1,11 @@
 "use strict";
 
-/** The theme that was chosen, empty for the system's. */
+const THEMES = ["light", "dark", "high-contrast", "print"];
+
+/** The theme that the address names, or that was chosen; empty for the system's. */
 function chosenTheme() {
+  const named = new URLSearchParams(location.hash.slice(1)).get("theme");
+  if (named !== null) return THEMES.includes(named) ? named : "";
   try {
     return localStorage.getItem("gjkscope-theme") ?? "";
   } catch {
@@ -17,3 +21,9 @@ function themeName(chosen) {
 
 // Before anything is painted.
 document.documentElement.dataset.theme = themeName(chosenTheme());
+// What the page holds is its first step in the light theme; a figure that will be another one waits.
+{
+  const { classList, dataset: { theme } } = document.documentElement;
+  classList.toggle("embed", /[#&]embed(&|$)/.test(location.hash));
+  classList.toggle("late", theme !== "light" || !/^#step=1&/.test(location.hash));
+}

@@ -20,6 +20,7 @@ function showTools(next, last) {
     $("verdict").className = isRight ? "right" : "wrong";
     const said = isRight ? `Right: ${answer}.` : `Not ${chosen}: the run says ${answer}.`;
     setText("verdict", `${said} ${right} of ${asked} so far.`);
+    tellHost("answer", { step: state.index + 1, chosen, answer, right: isRight, asked, correct: right });
   }
 }
 

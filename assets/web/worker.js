@@ -12,8 +12,7 @@ onmessage = async ({ data }) => {
       return;
     }
     const { wasm, fonts, assets } = data;
-    const module = data.module ??
-      await WebAssembly.compile(await through(new DecompressionStream("gzip"), bytesOf(wasm)));
+    const module = data.module ?? await compiled(typeof wasm === "string" ? bytesOf(wasm) : wasm);
     answer = await startPlayerWith(module, fonts, assets);
     postMessage({ module });
   } catch (error) {

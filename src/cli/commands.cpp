@@ -23,9 +23,7 @@
 #include "picture/theme.hpp"
 #include "run/effect_info.hpp"
 #include "run/run.hpp"
-#include "run/trace_json.hpp"
-#include "run/trace_text.hpp"
-#include "subjects/hierarchy/table.hpp"
+#include "run/traced.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -39,6 +37,12 @@ using Json = nlohmann::ordered_json;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || stop != text.data() + text.size() || value < 1) return std::nullopt;
   return value;
+}
+
+int print(const Environment& env, const Printed& printed) {
+  env.err << printed.err;
+  for (const std::string& text : printed.out) env.out << text;
+  return printed.err.empty() ? kDone : kProblem;
 }
 
 /// Problems that loading cannot see: the outcome, and characters that the fonts do not have.
@@ -167,8 +171,9 @@ int export_pages_command(const Environment& env, const LessonChoice& choice,
     const auto pages = std::count_if(files.begin(), files.end(), [](const fs::path& file) {
       return file.extension() == ".html";
     });
-    env.out << fmt::format("{} pages in {}\n", pages,
-                           (options.out_dir / options.file_name).string());
+    env.out << fmt::format("{} pages in {}{}\n", pages,
+                           (options.out_dir / options.file_name).string(),
+                           options.package ? "; `npm pack` there makes a package" : "");
   }
   return flushed(env) ? kDone : kCannot;
 }
@@ -243,65 +248,34 @@ int open_command(const Environment& env, const std::string& file, bool json) {
   return kCannot;
 }
 
-namespace {
-
-/// kProblem where a run was refused, which is said.
-int say_refused(const Environment& env, const std::string& name,
-                const std::vector<PositionedRun>& runs) {
-  int exit_code = kDone;
-  for (const PositionedRun& run : runs) {
-    const gjk::Error error = run.trace.result.error;
-    if (error == gjk::Error::none) continue;
-    env.err << fmt::format("{}: the query is refused: {}\n", name, name_of(error));
-    exit_code = kProblem;
-  }
-  return exit_code;
-}
-
-int print_trace(const Environment& env, const Traced& traced, bool json) {
-  env.out << (json ? trace_json(traced) : trace_text(traced));
-  return say_refused(env, traced.id, traced.runs);
-}
-
-/// The trace of a lesson that shows the method.
-int print_trace(const Environment& env, const ReadCase& read, ModelMethod method, bool json) {
-  Lesson lesson = lesson_of(*read.outlines, read.name);
-  lesson.act = method == ModelMethod::pieces      ? "convex-pieces"
-               : method == ModelMethod::lin_canny ? "lin-canny"
-                                                  : "hierarchy-distance";
-  if (method == ModelMethod::circles) lesson.table = ActTable(LessonTrees{VolumeKind::circles});
-  const LessonRun run = run_lesson(std::move(lesson));
-  print_trace(env, traced(run), json);
-  if (std::isfinite(run.algorithm_traces[0]->answer("distance"))) return kDone;
-  env.err << fmt::format("{}: the query is refused: {}\n", read.name,
-                         name_of(gjk::Error::overflow));
-  return kProblem;
-}
-
-}  // namespace
-
 int trace_command(const Environment& env, const std::string& name, const CaseOptions& options,
                   bool json) {
-  int exit_code = kDone;
+  Printed printed;
   if (is_case_file(name)) {
     const std::optional<std::string> text = read_text(env, name);
     if (!text) return kCannot;
     const std::string file = name == "-" ? "<stdin>" : name;
-    const models::Needs needs = std::max(needs_of(options.method), models::Needs::closed);
-    for (const ReadCase& read : parse_cases(*text, file, gjk::kMaxDimension, needs)) {
-      for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
-      const ScalarKind scalar = options.scalar;
-      const int code = read.value ? print_trace(env, traced(*read.value, read.name, scalar), json)
-                       : read.in_space
-                           ? print_trace(env, traced(*read.in_space, read.name, scalar), json)
-                       : read.outlines ? print_trace(env, read, options.method, json)
-                                       : kProblem;
-      exit_code = std::max(exit_code, code);
-    }
+    printed =
+        print_traces(parse_cases(*text, file, gjk::kMaxDimension, needs_of_trace(options.method)),
+                     options, json);
   } else {
     FoundLesson found = find_lesson(env, name);
     if (!found.lesson) return found.exit_code;
-    exit_code = print_trace(env, traced(run_lesson(std::move(*found.lesson))), json);
+    const LessonRun run = run_lesson(*std::move(found.lesson));
+    printed = print_trace(traced(run), json);
+  }
+  const int exit_code = print(env, printed);
+  return flushed(env) ? exit_code : kCannot;
+}
+
+int solve_command(const Environment& env, const std::vector<std::string>& files,
+                  const CaseOptions& options) {
+  int exit_code = kDone;
+  for (std::size_t i = 0; i < files.size();) {
+    const std::optional<CasesOfFiles> found = read_cases(env, files, i, needs_of(options.method));
+    i += found ? found->files : 1;
+    const int code = found ? print(env, print_answers(found->cases, options)) : kCannot;
+    if (code == kCannot || exit_code == kDone) exit_code = code;
   }
   return flushed(env) ? exit_code : kCannot;
 }

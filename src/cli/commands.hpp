@@ -2,7 +2,6 @@
 // The commands of `gjkscope`, one function each: arguments in, text on streams, exit code out.
 // main.cpp only parses the command line.
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
@@ -12,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "answers/answers.hpp"
 #include "export/export.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
-#include "outlines/outline.hpp"
 #include "site/site.hpp"
 #include "subjects/run/code.hpp"
 #include "trial/trial.hpp"
@@ -57,26 +56,6 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
 /// Starts the window, beside this program or on the PATH, with the step that an exported file
 /// shows; `json`: prints the file's record instead.
 int open_command(const Environment& env, const std::string& file, bool json);
-
-/// How the distance of general models is found.
-enum class ModelMethod : std::uint8_t { brute, pieces, boxes, circles, lin_canny };
-template <>
-struct Named<ModelMethod> {
-  static constexpr std::array<std::pair<std::string_view, ModelMethod>, 5> kTable = {
-      {{"brute", ModelMethod::brute},
-       {"pieces", ModelMethod::pieces},
-       {"boxes", ModelMethod::boxes},
-       {"circles", ModelMethod::circles},
-       {"lin-canny", ModelMethod::lin_canny}}};
-};
-
-/// How cases are answered.
-struct CaseOptions {
-  ScalarKind scalar = ScalarKind::double_;  ///< For point sets.
-  ModelMethod method = ModelMethod::boxes;  ///< For outlines.
-};
-/// The needs of a method that outlines must meet.
-[[nodiscard]] models::Needs needs_of(ModelMethod method);
 
 /// `name` is a lesson or a case file; `options` are for cases, lessons bring their own. Brute force
 /// has no trace.

@@ -19,32 +19,6 @@ using Json = nlohmann::ordered_json;
 using judging::Finding;
 using judging::Judgement;
 
-Json json_of(const std::optional<Finding>& finding) {
-  if (!finding) return nullptr;
-  Json out;
-  if (finding->iteration > 0) out["iteration"] = finding->iteration;
-  out["line"] = finding->line;
-  out["part"] = name_of(finding->part);
-  if (!finding->what.empty()) out["what"] = finding->what;
-  return out;
-}
-
-Json json_of(const std::string& name, const Judgement& judgement) {
-  Json out;
-  out["log"] = name;
-  out["right"] = judgement.right();
-  out["iterations"] = judgement.iterations;
-  out["distance"] = judgement.distance;
-  out["overlap"] = judgement.overlap;
-  out["wrong"] = json_of(judgement.wrong);
-  out["wrong_answer"] = json_of(judgement.answer);
-  out["waste"] = json_of(judgement.waste);
-  out["rounding"] = judgement.rounding;
-  out["rounded"] = json_of(judgement.rounded);
-  out["cut_off"] = judgement.cut_off;
-  return out;
-}
-
 std::string place_of(const Finding& finding) {
   return fmt::format("{} of iteration {}", name_of(finding.part), finding.iteration);
 }
@@ -158,12 +132,7 @@ int judge_command(const Environment& env, const std::vector<std::string>& files,
     }
     const Judgement judgement = judging::judge(*read.log);
     if (!judgement.right() && exit_code == kDone) exit_code = kProblem;
-    // Names may hold bytes that are not UTF-8.
-    if (json)
-      env.out << json_of(name, judgement).dump(-1, ' ', false, Json::error_handler_t::replace)
-              << '\n';
-    else
-      env.out << text_of(name, judgement);
+    env.out << (json ? judgement_json(name, judgement) : text_of(name, judgement));
   }
   return flushed(env) ? exit_code : kCannot;
 }

@@ -133,8 +133,10 @@ void add_export(CLI::App& app, Arguments& args) {
       ->add_option("--format", args.format,
                    "png, svg: a file for each frame; pdf, tex (slides of beamer, and their pdf), "
                    "gif, apng, mp4, webm (these two by ffmpeg): one for each lesson; html: pages "
-                   "to step through in a browser. Without it, what --out ends with, or png")
-      ->check(CLI::IsMember({"png", "svg", "pdf", "tex", "gif", "apng", "mp4", "webm", "html"}));
+                   "to step through in a browser; npm: the folder of a package with an element for "
+                   "any page. Without it, what --out ends with, or png")
+      ->check(
+          CLI::IsMember({"png", "svg", "pdf", "tex", "gif", "apng", "mp4", "webm", "html", "npm"}));
   add_export_look(command, args);
   parsed(command, "--steps", args.steps, parse_steps, "a range such as 3..7",
          "Only these frames, counted from 1")
@@ -168,7 +170,8 @@ void add_export(CLI::App& app, Arguments& args) {
       "  gjkscope export polygons-gjk --out polygons.gif --size 960x540 --fps 20\n"
       "  gjkscope export polygons-gjk --steps 3 --out figure.svg --crop stage --transparent\n"
       "  gjkscope export --all --out site --format html --index\n"
-      "  gjkscope export polygons-gjk --out polygons.html\n");
+      "  gjkscope export polygons-gjk --out polygons.html\n"
+      "  gjkscope export --all --out package --format npm\n");
 }
 
 void add_commands(CLI::App& app, Arguments& args) {
@@ -420,7 +423,7 @@ void add_commands(CLI::App& app, Arguments& args) {
 
 constexpr std::string_view kDrawn = "png, svg, pdf, tex, gif, apng, mp4, webm";
 /// Options that only some formats take, each with these formats.
-constexpr std::array<std::pair<const char*, std::string_view>, 14> kTakenBy = {{
+constexpr std::array<std::pair<const char*, std::string_view>, 15> kTakenBy = {{
     {"--size", kDrawn},
     {"--theme", kDrawn},
     {"--steps", kDrawn},
@@ -432,6 +435,7 @@ constexpr std::array<std::pair<const char*, std::string_view>, 14> kTakenBy = {{
     {"--transparent", "png, svg, pdf, tex"},
     {"--handout", "pdf"},
     {"--single", "html"},
+    {"--index", "png, svg, pdf, tex, gif, apng, mp4, webm, html"},
     {"--seconds", "gif, apng, mp4, webm"},
     {"--fps", "png, svg, gif, apng, mp4, webm"},
     {"--renderer", "png, gif, apng, mp4, webm"},
@@ -471,11 +475,12 @@ int run_export(const Environment& env, const CLI::App& command, Arguments& args)
     env.err << "gjkscope export: " << untaken << "\n";
     return kUsage;
   }
-  if (args.format == "html") {
-    return export_pages_command(
-        env, args.lessons,
-        {options.out_dir, env.share, options.index, args.single, options.force, options.file_name},
-        args.json);
+  const bool package = args.format == "npm";
+  if (args.format == "html" || package) {
+    return export_pages_command(env, args.lessons,
+                                {options.out_dir, env.share, options.index, args.single,
+                                 options.force, options.file_name, package},
+                                args.json);
   }
   options.format = *format_of(args.format);
   return export_command(env, args.lessons, options, args.json);

@@ -153,17 +153,21 @@ class SiteWriter {
       common_.style += theme_css(name, Theme::load(assets_ / "themes", name));
     }
     const fs::path web = program_folder();
-    common_.wasm = base64(read_whole(web / "gjkscope.wasm.gz"));
+    module_ = read_whole(web / kModule);
+    common_.wasm = base64(module_);
     common_.fonts = read_whole(web / "fonts.css");
     common_.style += assets({"style.css"});
     common_.head = assets({"theme.js", "room.js"});
     common_.worker = assets({"bytes.js", "player.js", "worker.js"});
     common_.script = assets({"bytes.js", "program.js", "motion.js", "terms.js", "page.js",
-                             "tools.js", "hand.js", "links.js", "kit.js", "start.js"});
+                             "tools.js", "hand.js", "links.js", "kit.js", "host.js", "start.js"});
     const std::string room = "\n" + assets({"place.js"});
     shared_["generator"] = signature();
     shared_["room"] = fmt::format("<script>{}</script>", room);
-    if (options.index && !options.single) {
+    shared_["icon"] = "<link rel=\"icon\" href=\"data:,\">\n";
+    if (options.package) {
+      put_common_into_package(room);
+    } else if (options.index && !options.single) {
       put_common_beside_pages(room);
     } else {
       put_common_into_pages(room);
@@ -173,6 +177,7 @@ class SiteWriter {
   /// Before anything is written.
   void refuse_foreign_files(const std::vector<Lesson>& lessons) const {
     for (const Lesson& lesson : lessons) refuse_foreign(file_of(options_, lesson.id));
+    if (options_.package) refuse_foreign_package();
     if (!options_.index) return;
     for (const char* name : {"playground", "index", "about"})
       refuse_foreign(file_of(options_, name));
@@ -248,6 +253,7 @@ class SiteWriter {
       fs::create_directories((options_.out_dir / name).parent_path());
       write_file(options_.out_dir / name, text);
     }
+    if (options_.package) return;
     write_file(
         options_.out_dir / kServiceWorker,
         fmt::format("// {}\n\"use strict\";\n\nconst VERSION = \"{}\";\nconst FILES = {};\n{}",
@@ -255,10 +261,60 @@ class SiteWriter {
                     assets({"service-worker.js"})));
   }
 
+  /// What a package has above its pages.
+  void write_package(const std::vector<Lesson>& lessons) {
+    const std::string comment = fmt::format("// {}\n", signature());
+    Json titles = Json::object();
+    std::string list;
+    for (const Lesson& lesson : lessons) {
+      titles[lesson.id] = lesson.title;
+      list += fmt::format("- `{}`: {}\n", lesson.id, lesson.title);
+    }
+    titles["playground"] = "Playground";
+    const auto write = [&](const char* name, const std::string& text) {
+      write_file(package_folder() / name, text);
+    };
+    write("gjk-lesson.js", comment + assets({"npm/gjk-lesson.js"}));
+    write("gjk-lesson.d.ts", comment + assets({"npm/gjk-lesson.d.ts"}));
+    write("lessons.js", fmt::format("{}export const lessons = {};\n", comment, titles.dump(2)));
+    write("index.js", comment + assets({"bytes.js", "player.js"}) +
+                          filled(assets({"npm/index.js"}), {{"module", module_address()}}));
+    write("index.d.ts", comment + assets({"npm/index.d.ts"}));
+    write(kModule, module_);
+    write("README.md", filled(assets({"npm/README.md"}), {{"lessons", list}}));
+    write("LICENSE", read_whole(share_ / "LICENSE"));
+    Json packed = Json::array();
+    for (const fs::path& file : files_)
+      packed.push_back(file.lexically_relative(package_folder()).generic_string());
+    const auto entry = [](const std::string& name) {
+      return Json{{"types", name + ".d.ts"}, {"default", name + ".js"}};
+    };
+    const Json package = {
+        {"name", "gjkscope"},
+        {"version", GJKSCOPE_VERSION},
+        {"description",
+         "The GJK distance algorithm, one decision at a time: lessons as an element, and solve, "
+         "trace and judge as functions"},
+        {"license", "MIT"},
+        {"type", "module"},
+        {"types", "./index.d.ts"},
+        {"exports",
+         {{".", entry("./index")},
+          {"./gjk-lesson.js", entry("./gjk-lesson")},
+          {"./pages/*", "./pages/*"},
+          {"./package.json", "./package.json"}}},
+        {"sideEffects", Json::array({"./gjk-lesson.js"})},
+        {"generator", signature()},
+        {"files", std::move(packed)}};
+    write(kPackage, package.dump(2) + "\n");
+  }
+
   std::vector<fs::path> files() && { return std::move(files_); }
 
  private:
   static constexpr const char* kServiceWorker = "service-worker.js";
+  static constexpr const char* kModule = "gjkscope.wasm.gz";
+  static constexpr const char* kPackage = "package.json";
 
   /// Texts that all pages need.
   struct Common {
@@ -318,6 +374,47 @@ class SiteWriter {
         program, script);
     shared_["self"] = plain_scripts_ = " 'self'";
     shared_["scripts"] = plain_scripts_ + hash_source(room);
+  }
+
+  /// A package has a server: what pages share are files, and nothing stands inside a page that a
+  /// strict policy would refuse.
+  void put_common_into_package(const std::string& room) {
+    const std::string comment = fmt::format("/* {} */\n", signature());
+    const auto put = [&](const std::string& name, const std::string& text) {
+      return put_beside("shared/" + name, comment + text);
+    };
+    shared_["head"] = fmt::format(
+        "<link rel=\"stylesheet\" href=\"{}\">\n"
+        "<link rel=\"stylesheet\" id=\"fonts\" href=\"{}\">\n<script src=\"{}\"></script>\n",
+        put("style.css", common_.style), put("fonts.css", common_.fonts),
+        put("head.js", common_.head));
+    shared_["room"] = fmt::format("<script src=\"{}\"></script>", put("place.js", room));
+    shared_["program"] = fmt::format(
+        "<script type=\"application/json\" id=\"assets\"></script>\n"
+        "<script type=\"text/plain\" id=\"worker\" data-address=\"{}\"></script>\n"
+        "<script type=\"text/plain\" id=\"wasm\" data-address=\"../{}\"></script>\n"
+        "<script src=\"{}\"></script>\n",
+        put("worker.js", common_.worker), module_address(),
+        put("page.js",
+            "\"use strict\";\n" + filling("assets", assets_of_player().dump()) + common_.script));
+    shared_["self"] = shared_["scripts"] = " 'self'";
+    shared_["connect"] = " connect-src 'self';";
+    shared_["images"] = " 'self'";
+    shared_["icon"] = {};
+  }
+
+  [[nodiscard]] fs::path package_folder() const { return options_.out_dir.parent_path(); }
+
+  [[nodiscard]] std::string module_address() const {
+    return fmt::format("{}?{}", kModule, hex_digest(module_).substr(0, 8));
+  }
+
+  /// A licence and compressed bytes do not say who wrote them; package.json does.
+  void refuse_foreign_package() const {
+    refuse_foreign(package_folder() / kPackage);
+    if (fs::exists(package_folder() / kPackage)) return;
+    for (const char* name : {"LICENSE", "README.md", "index.js", "gjk-lesson.js", kModule})
+      refuse_foreign(package_folder() / name);
   }
 
   /// A file beside the pages. Returns its address, which changes with its content: what a browser
@@ -522,6 +619,7 @@ class SiteWriter {
   Theme dark_;
   std::map<std::string, std::string> themes_;
   std::string terms_ = read_whole(assets_ / "terms.toml");
+  std::string module_;  ///< The program for browsers, compressed.
   Common common_;
   std::map<std::string, std::string> shared_;  ///< Parts that all pages have.
   std::string plain_scripts_;                  ///< Sources of scripts, of pages without a program.
@@ -534,7 +632,9 @@ class SiteWriter {
 
 }  // namespace
 
-std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const SiteOptions& options) {
+std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const SiteOptions& wanted) {
+  SiteOptions options = wanted;
+  if (options.package) options.out_dir /= "pages";
   SiteWriter writer(options);
   std::error_code error;
   fs::create_directories(options.out_dir, error);
@@ -547,12 +647,13 @@ std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const Site
   for (std::size_t i = 0; i < lessons.size(); ++i)
     writer.write_lesson(lessons[i],
                         options.index && i + 1 < lessons.size() ? &lessons[i + 1] : nullptr);
+  if (options.index || options.package) writer.write_playground();
   if (options.index) {
-    writer.write_playground();
     writer.write_index(lessons);
     writer.write_about();
   }
   writer.write_files_beside_pages();
+  if (options.package) writer.write_package(lessons);
   return std::move(writer).files();
 }
 

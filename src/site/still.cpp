@@ -118,6 +118,9 @@ std::string still(std::string_view svg) {
     }
   }
   put_alike();
+  // The page's style sheet has it; strict policies take none inside.
+  const std::size_t style = out.find(" style=\"");
+  if (style != std::string::npos) out.erase(style, out.find('"', style + 8) + 1 - style);
   return out;
 }
 

@@ -61,9 +61,10 @@ EMSCRIPTEN_KEEPALIVE bool gjk_start(const char* assets, std::size_t size) {
   }
 }
 
-/// The answer's length; its bytes are at `gjk_said` until the next call.
+/// The answer's length; its bytes are at `gjk_said` until the next call. Before `gjk_start`
+/// commands alone are answered.
 EMSCRIPTEN_KEEPALIVE std::size_t gjk_ask(const char* request, std::size_t size) {
-  said = player->answer({request, size});
+  said = player ? player->answer({request, size}) : Player::command({request, size});
   return said.size();
 }
 EMSCRIPTEN_KEEPALIVE const char* gjk_said() { return said.data(); }

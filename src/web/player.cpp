@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "answers/answers.hpp"
+#include "judge/log.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
 #include "lesson/save.hpp"
@@ -59,6 +61,13 @@ struct Player::Asked {
     if (!value.is_number() || !(std::abs(value.get<double>()) <= kMost))
       throw std::runtime_error(fmt::format("'{}' is no number from -1e9 to 1e9", key));
     return value.get<double>();
+  }
+  template <class E>
+  [[nodiscard]] E named(const char* key) const {
+    const auto value = value_of<E>(text(key));
+    if (value) return *value;
+    throw std::runtime_error(fmt::format("there is no {} '{}'; expected one of {}", key, text(key),
+                                         fmt::join(names_of<E>(), ", ")));
   }
   [[nodiscard]] int whole(const char* key) const { return static_cast<int>(std::floor(real(key))); }
   [[nodiscard]] Point point() const { return {real("x"), real("y")}; }
@@ -133,8 +142,8 @@ std::string Player::answer(std::string_view request) {
   };
   try {
     const Asked asked{Json::parse(request)};
+    if (asked.json.contains("command")) return printed(asked);
     const std::string what = asked.text("do");
-    if (what == "solve") return traced_cases(asked);
     const auto first = before_all.find(what);
     const auto act = changes.find(what);
     const auto tell = tells.find(what);
@@ -280,21 +289,39 @@ std::string Player::open_case(const Asked& asked) {
   return read.understood;
 }
 
-/// Traces of cases in the plane or in space, as `gjkscope trace --json` prints them.
-std::string Player::traced_cases(const Asked& asked) {
-  const auto scalar = value_of<ScalarKind>(asked.text("scalar"));
-  if (!scalar) {
-    throw std::runtime_error(fmt::format(
-        "there is no scalar '{}'; expected half, float, double or exact", asked.text("scalar")));
+std::string Player::command(std::string_view request) {
+  try {
+    return printed({Json::parse(request)});
+  } catch (const std::exception& error) {
+    return dumped({{"problem", error.what()}});
   }
-  Json traces = Json::array();
-  for (const ReadCase& read :
-       parse_cases(asked.text("text"), asked.text("name"), gjk::kMaxDimension)) {
-    if (!read.problems.empty()) throw std::runtime_error(to_string(read.problems));
-    traces.push_back(read.value ? trace_json(traced(*read.value, read.name, *scalar))
-                                : trace_json(traced(*read.in_space, read.name, *scalar)));
+}
+
+/// Of a lesson's text, which a name that ends with ".toml" tells, there is a trace, too.
+std::string Player::printed(const Asked& asked) {
+  const std::string what = asked.text("command");
+  const std::string text = asked.text("text");
+  const std::string name = asked.text("name");
+  const auto said = [](const Printed& all) { return dumped({{"out", all.out}, {"err", all.err}}); };
+  if (what == "judge") {
+    const judging::ReadLog read = judging::read_log(text, name);
+    if (!read.log) return said({{}, to_string(read.problems) + '\n'});
+    return said({{judgement_json(name, judging::judge(*read.log))}, {}});
   }
-  return dumped({{"traces", std::move(traces)}});
+  if (what != "solve" && what != "trace")
+    throw std::runtime_error(
+        fmt::format("there is no command '{}'; expected solve, trace or judge", what));
+  if (what == "trace" && name.ends_with(".toml")) {
+    const LessonRun run = run_lesson(parsed(text, name, {}));
+    return said(print_trace(traced(run), true));
+  }
+  const CaseOptions options{asked.named<ScalarKind>("scalar"), asked.named<ModelMethod>("method")};
+  const auto cases = [&](models::Needs needs) {
+    return parse_cases(text, name, gjk::kMaxDimension, needs);
+  };
+  if (what == "solve") return said(print_answers(cases(needs_of(options.method)), options));
+  if (options.method == ModelMethod::brute) throw std::runtime_error("brute force has no trace");
+  return said(print_traces(cases(needs_of_trace(options.method)), options, true));
 }
 
 void Player::set_layout(const Asked& asked) {

@@ -29,6 +29,10 @@ class Player {
   /// problem is what the command prints.
   [[nodiscard]] std::string answer(std::string_view request);
 
+  /// The same for a request with "command", which needs no player: what `gjkscope solve`, `trace`
+  /// and `judge --json` print of a text.
+  [[nodiscard]] static std::string command(std::string_view request);
+
  private:
   struct Asked;
   using Files = std::map<std::string, std::string>;  ///< Texts by name.
@@ -57,7 +61,7 @@ class Player {
   [[nodiscard]] std::string whole_frame() const;
   [[nodiscard]] std::string for_paper();
   [[nodiscard]] std::string on_the_way(const Asked& asked) const;
-  [[nodiscard]] static std::string traced_cases(const Asked& asked);
+  [[nodiscard]] static std::string printed(const Asked& asked);
 
   [[nodiscard]] static FileText held(const Files& files, const std::filesystem::path& file);
   [[nodiscard]] static Lesson parsed(const std::string& text, const std::string& name,

@@ -62,12 +62,12 @@ ask({ do: "lesson" });
 const cases = readdirSync(`${root}/tests/hard-cases`);
 for (const file of cases) {
   const text = read(`tests/hard-cases/${file}`);
-  for (const scalar of ["half", "float", "double", "exact"]) ask({ do: "solve", text, name: file, scalar });
+  for (const scalar of ["half", "float", "double", "exact"]) ask({ command: "trace", text, name: file, scalar, method: "boxes" });
   ask({ do: "case", text, name: file });
 }
 for (const file of readdirSync(`${root}/tests/fuzz/solve`).filter((name) => !name.endsWith(".json"))) {
   const text = read(`tests/fuzz/solve/${file}`);
-  ask({ do: "solve", text, name: file, scalar: "double" });
+  ask({ command: "trace", text, name: file, scalar: "double", method: "boxes" });
   ask({ do: "case", text, name: file });
 }
 
@@ -88,7 +88,7 @@ let problems = 0;
 requests.forEach((request, i) => {
   const here = JSON.stringify(answers[i]);
   const there = JSON.stringify(JSON.parse(lines[i]));
-  traces += answers[i].trace ? 1 : (answers[i].traces?.length ?? 0);
+  traces += answers[i].trace ? 1 : (answers[i].out?.length ?? 0);
   if (answers[i].stage ?? answers[i].svg) ++pictures;
   if (answers[i].problem) ++problems;
   if (here === there) return;
@@ -105,9 +105,9 @@ requests.forEach((request, i) => {
 let printed = 0;
 for (const file of cases) {
   const path = `tests/hard-cases/${file}`;
-  const here = program({ do: "solve", text: read(path), name: path, scalar: "double" });
+  const here = program({ command: "trace", text: read(path), name: path, scalar: "double", method: "boxes" });
   const said = execFileSync(command, ["trace", path, "--json"], { cwd: root, encoding: "utf8" });
-  if (here.traces.join("") === said) ++printed;
+  if (here.out.join("") === said) ++printed;
   else console.error(`${path}: the trace is not the one that the command prints`);
 }
 console.log(`${requests.length} answers compared: ${pictures} pictures, ${traces} traces, ${problems} refusals; ` +

@@ -2,11 +2,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <type_traits>
 
-#include "cli/commands.hpp"
-#include "cli/input.hpp"
+#include "answers/answers.hpp"
 #include "exact/instances.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
@@ -180,28 +178,17 @@ models::Needs needs_of(ModelMethod method) {
   }
 }
 
-int solve_command(const Environment& env, const std::vector<std::string>& files,
-                  const CaseOptions& options) {
-  int exit_code = kDone;
-  for (std::size_t i = 0; i < files.size();) {
-    const std::optional<CasesOfFiles> found = read_cases(env, files, i, needs_of(options.method));
-    i += found ? found->files : 1;
-    if (!found) {
-      exit_code = kCannot;
-      continue;
-    }
-    for (const ReadCase& read : found->cases) {
-      for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
-      const Json answer = solve(read, options);
-      if (read.problems.empty() && answer.contains("error")) {
-        env.err << fmt::format("{}: {}\n", read.name, answer["error"].get<std::string>());
-      }
-      if (answer.contains("error") && exit_code == kDone) exit_code = kProblem;
-      // Names may hold bytes that are not UTF-8.
-      env.out << answer.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
-    }
+Printed print_answers(const std::vector<ReadCase>& cases, const CaseOptions& options) {
+  Printed printed;
+  for (const ReadCase& read : cases) {
+    for (const Problem& problem : read.problems) printed.err += to_string(problem) + '\n';
+    const Json answer = solve(read, options);
+    if (read.problems.empty() && answer.contains("error"))
+      printed.err += fmt::format("{}: {}\n", read.name, answer["error"].get<std::string>());
+    // Names may hold bytes that are not UTF-8.
+    printed.out.push_back(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   }
-  return flushed(env) ? exit_code : kCannot;
+  return printed;
 }
 
 }  // namespace gjkscope
