@@ -1,6 +1,7 @@
 // Pages as files. What they do in a browser is told by tests/web.
 #include "site/site.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 
@@ -146,7 +147,7 @@ TEST_F(Site, PagesOfASiteShareWhatTheyHaveInCommon) {
        {"index.html", "playground.html", "about.html", "segment-closest.html", "stop-vertex.html",
         "shared/style.css?", "shared/head.js?", "shared/page.js?", "shared/program.js?",
         "cards/stop-vertex.svg?", "cards/stop-vertex-dark.svg?"})
-    EXPECT_GE(count(worker, "\"" + std::string(file)), 1u) << file;
+    EXPECT_GE(count(worker, fmt::format("\"{}", file)), 1u) << file;
   // Other content has other addresses, and is another version.
   std::ofstream(share_ / "web" / "gjkscope.wasm.gz") << "ho";
   (void)export_site(lessons, {out_, share_, true});
@@ -265,28 +266,30 @@ TEST_F(Site, APackageHoldsAllThatItNamesAndNothingThatAStrictPolicyRefuses) {
   const std::vector<Lesson> lessons = {testing::shipped_lesson("stop-vertex")};
   const SiteOptions options{.out_dir = out_, .share = share_, .package = true};
   const auto files = export_site(lessons, options);
-  std::map<fs::path, std::string> texts;
-  for (const fs::path& file : files) texts[file] = read_whole(file);
-  const auto package = nlohmann::json::parse(texts.at(out_ / "package.json"));
+  std::map<std::string, std::string> texts;
+  for (const fs::path& file : files)
+    texts[file.lexically_relative(out_).generic_string()] = read_whole(file);
+  const auto package = nlohmann::json::parse(texts.at("package.json"));
   EXPECT_EQ(package["files"].size() + 1, files.size());
   for (const auto& file : package["files"])
-    EXPECT_TRUE(texts.contains(out_ / file.get<std::string>())) << file;
-  EXPECT_EQ(texts.at(out_ / "gjkscope.wasm.gz"), "hi");
-  const std::string& text = texts.at(out_ / "pages" / "stop-vertex.html");
+    EXPECT_TRUE(texts.contains(file.get<std::string>())) << file;
+  EXPECT_EQ(texts.at("gjkscope.wasm.gz"), "hi");
+  const std::string& text = texts.at("pages/stop-vertex.html");
   for (const char* refused : {"<script>", "<style", " style=\"", " onload=", "{{"})
     EXPECT_EQ(count(text, refused), 0u) << refused;
   (void)export_site(lessons, options);
-  for (const auto& [file, before] : texts) EXPECT_EQ(read_whole(file), before) << file;
+  for (const auto& [file, before] : texts) EXPECT_EQ(read_whole(out_ / file), before) << file;
 }
 
 TEST_F(Site, APackageReplacesNothingOfSomebodyElse) {
   fs::create_directories(out_);
+  const SiteOptions options{.out_dir = out_, .share = share_, .package = true};
   for (const char* name : {"package.json", "LICENSE", "index.js"}) {
-    std::ofstream(out_ / name) << "mine";
-    EXPECT_THROW((void)export_site({}, {.out_dir = out_, .share = share_, .package = true}),
-                 std::runtime_error);
-    EXPECT_EQ(read_whole(out_ / name), "mine");
-    fs::remove(out_ / name);
+    const fs::path file = out_ / name;
+    std::ofstream(file) << "mine";
+    EXPECT_THROW((void)export_site({}, options), std::runtime_error);
+    EXPECT_EQ(read_whole(file), "mine");
+    fs::remove(file);
   }
 }
 
