@@ -155,7 +155,7 @@ class SheetWriter {
     for (const auto& [id, step] : content_.words.figures) {
       Lesson shown = lesson(id);
       shown.questions.clear();
-      // Of two runs the second, of other lessons what they show first.
+      // The second of two runs, and the first view of other lessons.
       const bool is_last = vocabulary().act(shown.act)->in_view != nullptr;
       shown.views = {is_last ? shown.views.back() : shown.views.front()};
       const LessonRun run = run_lesson(std::move(shown));

@@ -18,10 +18,10 @@
 
 namespace gjkscope {
 
-/// What assets/sheets.toml says of a chapter.
+/// The words of a chapter in assets/sheets.toml.
 struct SheetWords {
   std::vector<std::string> rule;      ///< Three sentences.
-  std::vector<std::string> pitfalls;  ///< What goes wrong.
+  std::vector<std::string> pitfalls;  ///< The troubles that readers meet.
   std::string trail;                  ///< Id of the lesson whose run of GJK is shown whole, if any.
   std::vector<std::pair<std::string, int>> figures;  ///< Ids of lessons, and a frame of each.
 };

@@ -261,7 +261,7 @@ class SiteWriter {
                     assets({"service-worker.js"})));
   }
 
-  /// What a package has above its pages.
+  /// The files of a package above its pages.
   void write_package(const std::vector<Lesson>& lessons) {
     const std::string comment = fmt::format("// {}\n", signature());
     Json titles = Json::object();

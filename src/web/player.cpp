@@ -297,7 +297,7 @@ std::string Player::command(std::string_view request) {
   }
 }
 
-/// Of a lesson's text, which a name that ends with ".toml" tells, there is a trace, too.
+/// A lesson's text, which a name that ends with ".toml" tells, has a trace, too.
 std::string Player::printed(const Asked& asked) {
   const std::string what = asked.text("command");
   const std::string text = asked.text("text");
