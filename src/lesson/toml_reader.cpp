@@ -100,12 +100,13 @@ constexpr std::array<std::array<std::string_view, 3>, 1> kFormerKeys = {
 void refuse_other_keys(const toml::table& table, std::string_view name,
                        const std::vector<std::string>& known, Problems& problems) {
   for (const auto& [key, value] : table) {
-    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    const std::string_view called = key.str();
+    if (std::find(known.begin(), known.end(), called) != known.end()) continue;
     const auto former = std::find_if(kFormerKeys.begin(), kFormerKeys.end(), [&](const auto& each) {
-      return each[0] == name && each[1] == key.str();
+      return each[0] == name && each[1] == called;
     });
     if (former != kFormerKeys.end()) {
-      problems.add(place_at(key.source().begin), in_quotes(key.str()) + " has another name now",
+      problems.add(place_at(key.source().begin), in_quotes(called) + " has another name now",
                    std::string((*former)[2]));
       continue;
     }
