@@ -173,13 +173,13 @@ template <class R, int D>
 }
 
 /// Sets the weights of P in `face` from its coordinates. A segment divides by its squared length,
-/// as the slides do; other faces by the sum of the numerators, so that the weights add up to 1.
+/// as the slides do; a larger face by the sum of the numerators, so that the weights add up to 1.
 template <class R, int D>
 void set_weights(std::array<R, D + 1>& weights, Face face, const Barycentric<R, D>& coordinates) {
   const FaceVertices& in_face = vertices_of(face);
   weights.fill(R(0));
   R divisor = coordinates.denominator;
-  if (in_face.count != 2) {
+  if (in_face.count > 2) {
     divisor = R(0);
     for (const int i : in_face) divisor = divisor + coordinates.numerator[i];
   }
