@@ -32,11 +32,12 @@ template <class R, class S, int D>
     state.phase = Phase::stop;
     return state;
   }
-  WarmStart from = options.start;
-  if (from.count == 0) from = {{first_pair(query, prepared)}, 1};
-  state.simplex.count = from.count;
-  for (int i = 0; i < from.count; ++i) {
-    state.simplex.vertices[i] = support_point(query, prepared, from.pairs[i]);
+  state.simplex.count = std::max(options.start.count, 1);
+  for (int i = 0; i < options.start.count; ++i) {
+    state.simplex.vertices[i] = support_point(query, prepared, options.start.pairs[i]);
+  }
+  if (options.start.count == 0) {
+    state.simplex.vertices[0] = support_point(query, prepared, first_pair(query, prepared));
   }
   state.region = state.simplex.all();
   return state;

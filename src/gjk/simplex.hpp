@@ -21,34 +21,31 @@ using Face = std::uint8_t;
 [[nodiscard]] constexpr bool contains(Face face, int vertex) { return ((face >> vertex) & 1) != 0; }
 [[nodiscard]] constexpr Face face_of(int vertex) { return static_cast<Face>(1u << vertex); }
 
-/// A list of at most so many vertices, by index, or faces.
-template <int kMost>
-struct ShortList {
-  std::array<std::uint8_t, kMost> entries = {};
+/// The indices of a face's vertices, ascending.
+struct FaceVertices {
+  std::array<std::uint8_t, kMaxDimension + 1> index = {};
   int count = 0;
-  [[nodiscard]] constexpr const std::uint8_t* begin() const { return entries.data(); }
-  [[nodiscard]] constexpr const std::uint8_t* end() const { return entries.data() + count; }
-  [[nodiscard]] constexpr std::uint8_t operator[](int i) const { return entries[i]; }
-  constexpr void add(std::uint8_t entry) { entries[count++] = entry; }
+  [[nodiscard]] constexpr const std::uint8_t* begin() const { return index.data(); }
+  [[nodiscard]] constexpr const std::uint8_t* end() const { return index.data() + count; }
 };
-using FaceVertices = ShortList<kMaxDimension + 1>;  ///< Ascending.
-using FaceList = ShortList<(1 << (kMaxDimension + 1)) - 1>;
-
+namespace detail {
 inline constexpr auto kFaceVertices = [] {
   std::array<FaceVertices, 1 << (kMaxDimension + 1)> out = {};
   for (unsigned face = 0; face < out.size(); ++face) {
     for (std::uint8_t i = 0; i <= kMaxDimension; ++i) {
-      if (contains(static_cast<Face>(face), i)) out[face].add(i);
+      if (contains(static_cast<Face>(face), i)) out[face].index[out[face].count++] = i;
     }
   }
   return out;
 }();
-[[nodiscard]] constexpr const FaceVertices& vertices_of(Face face) { return kFaceVertices[face]; }
+}  // namespace detail
+[[nodiscard]] constexpr const FaceVertices& vertices_of(Face face) {
+  return detail::kFaceVertices[face];
+}
 [[nodiscard]] constexpr int vertex_count(Face face) { return vertices_of(face).count; }
 
 template <class R, int D>
 struct Simplex {
-  static_assert(D == 2 || D == 3, "written out for the plane and for space");
   std::array<SupportPoint<R, D>, D + 1> vertices = {};
   std::array<R, D + 1> weights = {};  ///< Barycentric coordinates of P; 0 outside P's face.
   int count = 0;
@@ -148,12 +145,13 @@ template <class R>
 /// Coordinates of O in `face`, which must have a vertex.
 template <class R, int D>
 [[nodiscard]] Barycentric<R, D> barycentric(const Simplex<R, D>& simplex, Face face) {
-  const FaceVertices& vertex = vertices_of(face);
-  const int count = vertex.count;
+  const auto& [vertex, count] = vertices_of(face);
   if (count == 2) return segment_coordinates(simplex, vertex[0], vertex[1]);
   if (count == D + 1) return volume_coordinates(simplex);
   if constexpr (D == 3) {
-    if (count == 3) return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
+    if (count == 3) {
+      return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
+    }
   }
   Barycentric<R, D> point{};
   point.numerator[vertex[0]] = R(1);
@@ -167,7 +165,7 @@ template <class R, int D>
   const FaceVertices& vertex = vertices_of(facet);
   std::array<Vec<R, D>, D - 1> edges;
   for (int i = 1; i < D; ++i) {
-    edges[i - 1] = simplex.vertices[vertex[i]].w - simplex.vertices[vertex[0]].w;
+    edges[i - 1] = simplex.vertices[vertex.index[i]].w - simplex.vertices[vertex.index[0]].w;
   }
   return perpendicular<R, D>(edges);
 }
@@ -178,6 +176,10 @@ template <class R, int D>
 void set_weights(std::array<R, D + 1>& weights, Face face, const Barycentric<R, D>& coordinates) {
   const FaceVertices& in_face = vertices_of(face);
   weights.fill(R(0));
+  if (in_face.count == 1) {
+    weights[in_face.index[0]] = R(1);
+    return;
+  }
   R divisor = coordinates.denominator;
   if (in_face.count > 2) {
     divisor = R(0);
@@ -191,9 +193,13 @@ template <class R, int D>
 [[nodiscard]] Vec<R, D> weighted_point(const Simplex<R, D>& simplex, Face face,
                                        const std::array<R, D + 1>& weights) {
   const FaceVertices& in_face = vertices_of(face);
-  if (in_face.count == 1) return simplex.vertices[in_face[0]].w;
+  if (in_face.count == 1) return simplex.vertices[in_face.index[0]].w;
   Vec<R, D> point = Vec<R, D>::Zero();
-  for (const int i : in_face) point = point + Vec<R, D>(simplex.vertices[i].w * weights[i]);
+  for (const int i : in_face) {
+    for (int k = 0; k < D; ++k) {
+      point[k] = point[k] + R(weights[i] * simplex.vertices[i].w[k]);
+    }
+  }
   return point;
 }
 

@@ -7,6 +7,7 @@
 // verdict is exact.
 
 #include "gjk/proof/settle.hpp"
+#include "gjk/proof/witness.hpp"
 
 namespace gjk {
 namespace detail {
@@ -40,8 +41,7 @@ template <class R, class S, int D>
     }
   }
   // In a thin simplex the run's own weights may put P beside O.
-  if (out.simplex.count == D + 1 && !out.settled &&
-      !is_at_origin(out.simplex, out.simplex.weights, 2)) {
+  if (out.simplex.count == D + 1 && !out.settled && !is_at_origin(out.simplex)) {
     out.simplex.weights = weights_of<R>(careful_simplex(out.simplex, query, prepared));
   }
   return bounds;
@@ -86,72 +86,6 @@ void set_floating_answer(const State<R, D>& state, const Query<S, D>& query, con
 }
 
 }  // namespace detail
-
-/// The point from + beyond of a shape's frame in the world, computed with about twice the digits:
-/// far from the frame's origin a rotation can round by more than the size of Z.
-template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Vec<R, D> careful_world_point(const Pose<S, D>& pose,
-                                                           const Vec<R, D>& from,
-                                                           const Vec<R, D>& beyond, int exponent) {
-  using Word = DoubleWord<R>;
-  const R unit = ScalarTraits<R>::scaled(R(1), std::min(-exponent, 0));  // 1 if small
-  Vec<Word, D> local;
-  for (int k = 0; k < D; ++k) local[k] = exact_sum(R(from[k] * unit), R(beyond[k] * unit));
-  const Vec<R, D> place = converted<R, S, D>(pose.translation) * unit;
-  const Vec<Word, D> world = pose.template rotated<Word>(local) + converted<Word, R, D>(place);
-  return scaled<R, D>(converted<R, Word, D>(world), std::max(exponent, 0));
-}
-
-/// The weighted point of one shape, in the world. It is the vertex of the largest weight plus a
-/// weighted sum of differences, so that little rounds but the last addition.
-template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> witness_point(const Simplex<R, D>& simplex, const Shape<S, D>& shape,
-                                      int VertexPair::*index, const Prepared<R, D>& prepared) {
-  using W = RunScalar<Default, R>;
-  int base = 0;
-  for (int i = 1; i < simplex.count; ++i) {
-    if (simplex.weights[base] < simplex.weights[i]) base = i;
-  }
-  const auto vertex = [&](int i) -> decltype(auto) {
-    return converted<W, S, D>(shape.vertices()[simplex.vertices[i].pair.*index]);
-  };
-  const auto& from = vertex(base);
-  Vec<W, D> beyond = Vec<W, D>::Zero();
-  for (int i = 0; i < simplex.count; ++i) {
-    if (i == base) continue;
-    const W weight = ScalarTraits<W>::from(simplex.weights[i]);
-    beyond = beyond + Vec<W, D>((vertex(i) - from) * weight);
-  }
-  if constexpr (std::is_same_v<W, R> && !ScalarTraits<R>::kExact) {
-    if (shape.pose.rotation.turns() && prepared.centred) {
-      return careful_world_point<R>(shape.pose, from, beyond, prepared.exponent);
-    }
-  }
-  const Vec<W, D> local = from + beyond;
-  const Vec<W, D> world =
-      shape.pose.template rotated<W>(local) + converted<W, S, D>(shape.pose.translation);
-  return converted<R, W, D>(world);
-}
-
-/// Sets both witness points, the points of X and Y nearest to each other, in the world (Catto 2010,
-/// slide "Witness points"). When shapes meet, both are one point, and rounding must not set them
-/// apart: it is their midpoint, or the one that is a vertex.
-template <class R, class S, int D>
-void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
-                        const Prepared<R, D>& prepared) {
-  const Simplex<R, D>& simplex = out.simplex;
-  out.x = witness_point(simplex, query.x, &VertexPair::x, prepared);
-  out.y = witness_point(simplex, query.y, &VertexPair::y, prepared);
-  if constexpr (!ScalarTraits<R>::kExact) {
-    if (out.verdict != Verdict::overlapping && out.verdict != Verdict::touching) return;
-    if (Corners(simplex, &VertexPair::y).count == 1) {
-      out.x = out.y;
-    } else if (Corners(simplex, &VertexPair::x).count > 1) {
-      out.x = out.x + Vec<R, D>((out.y - out.x) * ScalarTraits<R>::from(0.5));
-    }
-    out.y = out.x;
-  }
-}
 
 /// The answer of a state; before the run has ended, the best answer so far.
 template <class R, class S, int D>
