@@ -210,7 +210,8 @@ void values(const Story& story, FrameText& text) {
 // ---- the question ----
 
 constexpr AskInfo kAskWrong{"wrong", "what the second run gets wrong where the runs part"};
-constexpr std::array kAsks = {kAskWrong};
+constexpr AskInfo kAskLine{"line", "the line of the textbook's page that the loop changes"};
+constexpr std::array kAsks = {kAskWrong, kAskLine};
 constexpr std::array<std::pair<Phase, std::string_view>, 4> kChoices = {
     {{Phase::closest, "P, and the vertices kept for it"},
      {Phase::direction, "d"},
@@ -218,16 +219,39 @@ constexpr std::array<std::pair<Phase, std::string_view>, 4> kChoices = {
      {Phase::stop, "whether to stop"}}};
 constexpr std::string_view kNoDifference = "a vertex of S";
 
-int answering_step(const LessonRun& run, const Frame&, const Frame& frame, const LessonQuestion&) {
-  const TwoRunsTrace& both = two_runs_of(run, frame);
-  return both.parting >= 0 && frame.step == both.parting ? frame.step : -1;
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
+  const Shown shown(run, frame);
+  const int parting = shown.both.parting;
+  if (question.ask == kAskWrong.name) return parting >= 0 && frame.step == parting ? parting : -1;
+  return shown.is_answer && parting >= 0 && !shown.second.mistake.empty() ? shown.both.steps() - 1
+                                                                          : -1;
 }
 
 /// The picture asks: it shows the step.
 Frame asking(const LessonRun&, const Frame& frame) { return frame; }
 
+/// The line, and three that other loops change.
+void ask_line(const Shown& shown, FrameText& text) {
+  constexpr std::size_t kLines = 4;
+  const std::string_view changed = shown.mistake().line;
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(kAskLine.name), {}, std::string(changed)});
+  bool has_changed = false;
+  for (const Mistake& each : mistakes().subspan(1)) {
+    const bool is_known =
+        std::find(asked.choices.begin(), asked.choices.end(), each.line) != asked.choices.end();
+    const std::size_t room = kLines - asked.choices.size() - (has_changed ? 0 : 1);
+    if (is_known || (each.line != changed && room == 0)) continue;
+    has_changed = has_changed || each.line == changed;
+    asked.choices.emplace_back(each.line);
+  }
+  text.caption = "Question: one line of the loop is not as it should be. Which one does it change?";
+}
+
 void question(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
+  if (shown.is_answer) return ask_line(shown, text);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskWrong.name), {}, {}});
   const TwoRunsStep& step = shown.both.shown[static_cast<std::size_t>(shown.both.parting)];
   Phase wrong = step.phase == Phase::drop ? Phase::closest : step.phase;
@@ -316,10 +340,15 @@ void two_answers(PanelBuilder& panel) {
   panel.row("error", panel.numbers(shown.both.answer("error")));
 }
 
-/// From the step on that is wrong: before, it would tell.
+/// From the step on that is wrong, or where the lesson asks for it from the answer on: before, it
+/// would tell.
 void changed_line(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   if (shown.second.mistake.empty() || shown.step < shown.both.parting || shown.step < 0) return;
+  const std::vector<LessonQuestion>& questions = panel.run.lesson.questions;
+  const bool is_asked = std::any_of(questions.begin(), questions.end(),
+                                    [](const auto& each) { return each.ask == kAskLine.name; });
+  if (is_asked && !shown.is_answer) return;
   panel.heading("The line that is changed");
   const auto lines = [&](const std::string& sign, std::string_view text) {
     constexpr double kSign = 20.0;
