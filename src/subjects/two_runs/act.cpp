@@ -231,22 +231,28 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
 /// The picture asks: it shows the step.
 Frame asking(const LessonRun&, const Frame& frame) { return frame; }
 
+/// As a choice, without the semicolon.
+std::string as_choice(std::string_view line) {
+  return std::string(line.substr(0, line.find_last_not_of(';') + 1));
+}
+
 /// The line, and three that other loops change.
 void ask_line(const Shown& shown, FrameText& text) {
-  constexpr std::size_t kLines = 4;
-  const std::string_view changed = shown.mistake().line;
-  FrameQuestion& asked =
-      text.question.emplace(FrameQuestion{std::string(kAskLine.name), {}, std::string(changed)});
-  bool has_changed = false;
+  constexpr std::size_t kChosen = 4;
+  std::vector<std::string> lines;
   for (const Mistake& each : mistakes().subspan(1)) {
-    const bool is_known =
-        std::find(asked.choices.begin(), asked.choices.end(), each.line) != asked.choices.end();
-    const std::size_t room = kLines - asked.choices.size() - (has_changed ? 0 : 1);
-    if (is_known || (each.line != changed && room == 0)) continue;
-    has_changed = has_changed || each.line == changed;
-    asked.choices.emplace_back(each.line);
+    if (std::find(lines.begin(), lines.end(), as_choice(each.line)) == lines.end())
+      lines.push_back(as_choice(each.line));
   }
-  text.caption = "Question: one line of the loop is not as it should be. Which one does it change?";
+  const std::string changed = as_choice(shown.mistake().line);
+  const auto at =
+      static_cast<std::size_t>(std::find(lines.begin(), lines.end(), changed) - lines.begin());
+  const std::size_t before = (at + at / 4 + 1) % kChosen;  // the place of the right one varies
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(kAskLine.name), {}, changed});
+  for (std::size_t i = 0; i < kChosen; ++i)
+    asked.choices.push_back(lines[(at + lines.size() - before + i) % lines.size()]);
+  text.caption = "Question: which line of the textbook's page does the loop change?";
 }
 
 void question(const Story& story, FrameText& text) {
