@@ -236,9 +236,9 @@ std::string as_choice(std::string_view line) {
   return std::string(line.substr(0, line.find_last_not_of(';') + 1));
 }
 
-/// The line, and three that other loops change.
+/// The line, and two that other loops change.
 void ask_line(const Shown& shown, FrameText& text) {
-  constexpr std::size_t kChosen = 4;
+  constexpr std::size_t kChosen = 3;
   std::vector<std::string> lines;
   for (const Mistake& each : mistakes().subspan(1)) {
     if (std::find(lines.begin(), lines.end(), as_choice(each.line)) == lines.end())
@@ -247,7 +247,7 @@ void ask_line(const Shown& shown, FrameText& text) {
   const std::string changed = as_choice(shown.mistake().line);
   const auto at =
       static_cast<std::size_t>(std::find(lines.begin(), lines.end(), changed) - lines.begin());
-  const std::size_t before = (at + at / 4 + 1) % kChosen;  // the place of the right one varies
+  const std::size_t before = (at + at / 3 + 1) % kChosen;  // the place of the right one varies
   FrameQuestion& asked =
       text.question.emplace(FrameQuestion{std::string(kAskLine.name), {}, changed});
   for (std::size_t i = 0; i < kChosen; ++i)
