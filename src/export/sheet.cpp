@@ -238,10 +238,10 @@ class SheetWriter {
   [[nodiscard]] Rect slot(std::size_t cell) const {
     const double wide = (width() - kGap * (kColumns - 1)) / kColumns;
     const double high = kPictureShare * wide;
+    const std::size_t row = cell / kColumns;
     const double x = kMargin + static_cast<double>(cell % kColumns) * (wide + kGap);
     const double y =
-        y_ + 14.0 +
-        static_cast<double>(cell / kColumns) * (high + kCaptionLines * kSmallLine + 20.0);
+        y_ + 14.0 + static_cast<double>(row) * (high + kCaptionLines * kSmallLine + 20.0);
     return {{x, y}, {x + wide, y + high}};
   }
 

@@ -30,6 +30,6 @@ struct SiteOptions {
 /// std::runtime_error, naming the path, when something cannot be read or written, or would replace
 /// what was not exported; when there is no program for browsers it says how to build it.
 [[nodiscard]] std::vector<std::filesystem::path> export_site(const std::vector<Lesson>& lessons,
-                                                             const SiteOptions& options);
+                                                             const SiteOptions& wanted);
 
 }  // namespace gjkscope

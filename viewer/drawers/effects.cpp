@@ -14,6 +14,7 @@
 #include "frames/frame.hpp"
 #include "frames/stage.hpp"
 #include "subjects/growth/growth.hpp"
+#include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
