@@ -4,7 +4,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
@@ -161,7 +160,9 @@ class SheetWriter {
       const LessonRun run = run_lesson(std::move(shown));
       if (step < 1 || step > static_cast<int>(run.frames.size()))
         throw std::runtime_error(fmt::format("'{}' has no frame {} for a sheet", id, step));
-      add(frame(run, step - 1), cell++, run.lesson.title);
+      EffectGraph effects(run);
+      LessonPictures pictures(run, effects, fonts_, page(), LabelScope::frame);
+      add(pictures.picture(step - 1), cell++, run.lesson.title);
     }
     end_row(cell);
   }
@@ -192,10 +193,12 @@ class SheetWriter {
       if (run.step(each).phase <= gjk::Phase::support) frames.back() = i;
     }
     frames.back() = static_cast<int>(run.frames.size()) - 1;
+    EffectGraph effects(run);
+    LessonPictures pictures(run, effects, fonts_, page(), LabelScope::frame);
     std::size_t cell = 0;
     for (const int each : frames) {
       const std::string name = fmt::format("iteration {}", cell + 1);
-      add(frame(run, each), cell++, name);
+      add(pictures.picture(each), cell++, name);
     }
     bounds(run.runs.front(), cell++);
     end_row(cell);
@@ -228,11 +231,10 @@ class SheetWriter {
     add(drawn, cell, "bounds of the distance");
   }
 
-  [[nodiscard]] Picture frame(const LessonRun& run, int index) const {
+  /// The page of a picture, which holds the stage alone.
+  [[nodiscard]] Page page() const {
     const Point size = slot(0).size();
-    EffectGraph effects(run);
-    const Page page{.width = size.x(), .height = size.y(), .bare = true};
-    return LessonPictures(run, effects, fonts_, page, LabelScope::frame).picture(index);
+    return {.width = size.x(), .height = size.y(), .bare = true};
   }
 
   [[nodiscard]] Rect slot(std::size_t cell) const {
@@ -303,12 +305,10 @@ std::map<int, SheetWords> parse_sheets(std::string_view text, std::string_view n
   std::map<int, SheetWords> sheets;
   try {
     for (const auto& [key, node] : toml::parse(text)) {
-      int number = 0;
-      const std::string_view digits = key.str();
-      const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-      if (read.ec != std::errc() || read.ptr != digits.data() + digits.size() || !node.is_table())
-        fail(key.source(), fmt::format("'{}' is no chapter", digits));
-      SheetWords& words = sheets[number];
+      const std::optional<int> number = chapter_number(key.str());
+      if (!number || !node.is_table())
+        fail(key.source(), fmt::format("'{}' is no chapter", key.str()));
+      SheetWords& words = sheets[*number];
       for (const auto& [what, value] : *node.as_table()) {
         const toml::array* list = value.as_array();
         if (what == "trail") {

@@ -429,8 +429,7 @@ void LessonReader::check_needs(const Term& term, const Field& field, std::string
     problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, term.act),
                   expected);
   }
-  const TableKind* table = lesson_.table.kind();
-  if (!term.table.empty() && (table == nullptr || table->name != term.table)) {
+  if (!has_table(lesson_, term.table)) {
     problems_.add(field.place(), fmt::format("{} without a table [{}]", what, term.table),
                   fmt::format("a table [{}]", term.table));
   }

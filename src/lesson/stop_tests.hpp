@@ -5,13 +5,14 @@
 #include <optional>
 #include <string_view>
 
+#include "lesson/names.hpp"
 #include "lesson/toml_reader.hpp"
 #include "lesson/toml_text.hpp"
 
 namespace gjkscope {
 
-inline constexpr std::array<std::string_view, 2> kStopTestNames = {"repeated-support",
-                                                                   "no-progress"};
+inline constexpr std::array kStopTestNames = {name_of(gjk::StopReason::repeated_support),
+                                              name_of(gjk::StopReason::no_progress)};
 inline constexpr std::string_view kStopTests = "list of: repeated-support, no-progress";
 
 /// Which of them are on; none where there is no such field.

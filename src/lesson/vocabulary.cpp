@@ -26,6 +26,11 @@ const Act* Vocabulary::act(std::string_view name) const {
   return found == acts.end() ? nullptr : *found;
 }
 
+bool has_table(const Lesson& lesson, std::string_view name) {
+  const TableKind* kind = lesson.table.kind();
+  return name.empty() || (kind != nullptr && kind->name == name);
+}
+
 const Term* find_term(const std::vector<Term>& terms, std::string_view name) {
   const auto found =
       std::find_if(terms.begin(), terms.end(), [&](const Term& term) { return term.name == name; });

@@ -135,6 +135,9 @@ struct Vocabulary {
   [[nodiscard]] const Act* act(std::string_view name) const;
 };
 
+/// Whether the lesson has the table of this name, or the name is empty.
+[[nodiscard]] bool has_table(const Lesson& lesson, std::string_view name);
+
 /// nullptr when there is none of this name.
 [[nodiscard]] const Term* find_term(const std::vector<Term>& terms, std::string_view name);
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Term>& terms);

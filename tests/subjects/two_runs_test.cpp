@@ -176,7 +176,9 @@ TEST(TwoRuns, AScalarWithoutNumbersForTheShapesHasNoRun) {
   const LessonRun run = run_lesson(lesson);
   EXPECT_FALSE(trace_of(run).fits);
   EffectGraph effects(run);
-  EXPECT_NE(lesson_texts(run, effects).front().caption.find("no such run as the run in half"),
+  EXPECT_NE(lesson_texts(run, effects)
+                .front()
+                .caption.find("The run in half has no numbers for these shapes"),
             std::string::npos);
 }
 

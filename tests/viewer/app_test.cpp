@@ -310,6 +310,31 @@ TEST(App, TwoRunsStandOnTheStage) {
   EXPECT_EQ(hint, window.app().message()) << "both were lessons";
 }
 
+TEST(App, ALessonWithATableOfItsOwnTakesNoSecondRun) {
+  HeadlessApp window("lazy-hull");
+  const Lesson before = window.session().lesson();
+  const std::string kBoth = "Second run on the stage, or none";
+  window.app().run_command(kBoth);
+  EXPECT_EQ(before, window.session().lesson());
+}
+
+TEST(App, EachEffectThatItOffersIsTakenByTheLesson) {
+  int offered = 0;
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    if (lesson.table.file) continue;  // the file is looked for in the lesson's folder
+    for (const EffectInfo* info : offered_effects(lesson)) {
+      Lesson with = lesson;
+      for (LessonView& view : with.views) {
+        if (shows_shapes(view.kind) && !view.calls_for(info->name))
+          view.effects.emplace_back(info->name);
+      }
+      EXPECT_TRUE(why_not_said(with).empty()) << lesson.id << to_string(why_not_said(with));
+      ++offered;
+    }
+  }
+  EXPECT_GT(offered, 100);
+}
+
 TEST(App, AShapeAndTheDifferenceMoveAsAWhole) {
   HeadlessApp window;
   Session& session = window.session();

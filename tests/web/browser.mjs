@@ -1096,7 +1096,7 @@ claim("in the window of a browser with its bars on a small laptop the figure has
   const lessons = pages.filter((each) => !["index.html", "about.html", "playground.html"].includes(each));
   let page = null;
   for (const [i, name] of lessons.entries()) {
-    // A tab that goes through all lessons holds the memory of many.
+    // A new tab from time to time: nobody reads all lessons in one.
     if (i % 20 === 0) {
       if (page) await close(page);
       page = await open(url("polygons-gjk"));

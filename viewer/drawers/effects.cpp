@@ -186,8 +186,7 @@ std::vector<const EffectInfo*> offered_effects(const Lesson& lesson) {
   std::vector<const EffectInfo*> out;
   for (const EffectInfo* info : registered_effects()) {
     const bool fits = info->act.empty() || info->act == lesson.act;
-    if (info->used_by == "view" && fits && (info->table.empty() || lesson.table.kind() != nullptr))
-      out.push_back(info);
+    if (info->used_by == "view" && fits && has_table(lesson, info->table)) out.push_back(info);
   }
   return out;
 }

@@ -201,7 +201,7 @@ ScalarKind scalar_beside(const Lesson& lesson, ScalarKind wanted) {
 /// Whether frames show steps of GJK, beside which those of another run can stand.
 bool can_tell_twice(const Session& session) {
   const Act& act = *session.run().act;
-  return act.algorithm == &kGjkAlgorithm && act.follows_run;
+  return act.follows_run && act.needs.table == &LessonSecond::kKind;
 }
 
 void tell_twice(App& app, ScalarKind wanted) {

@@ -85,11 +85,12 @@ void second_run(const Story& story, FrameText& text) {
   if (!step) return;
   const std::string in_first = arithmetic(story.run.lesson.scalar);
   const std::string first = at_the_start(in_first);
-  const std::string other = arithmetic(*second_of(story.run.lesson)->scalar);
+  const ScalarKind scalar = *second_of(story.run.lesson)->scalar;
+  const std::string other = arithmetic(scalar);
   const WideState& mine = story.state;
   const WideState& beside = step->after;
   Lesson in_other = story.run.lesson;
-  in_other.scalar = *second_of(story.run.lesson)->scalar;
+  in_other.scalar = scalar;
   const Numbers numbers(in_other);
   const auto point = [&](const Vector3d& v) {
     return fmt::format("({}, {})", numbers(v.x()), numbers(v.y()));

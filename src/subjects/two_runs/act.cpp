@@ -153,8 +153,8 @@ void words(const Story& story, FrameText& text) {
     return;
   }
   if (!shown.both.fits && shown.second.is_gjk()) {
-    text.caption = fmt::format("These shapes have no such run as {}. Both views show {}.",
-                               shown.name(), shown.first_name());
+    text.caption = fmt::format("{} has no numbers for these shapes. Both views show {}.",
+                               capitalized(shown.name()), shown.first_name());
     return;
   }
   if (!shown.both.fits) {
