@@ -7,7 +7,7 @@ let pointed = null;  // the mouse, on the picture
 let lit = null;  // what lights up belongs to this place
 let snaps = false;  // to round numbers; Shift does the other thing
 
-/** Where on the picture an event is, in its own pixels. */
+/** The place of an event on the picture, in its own pixels. */
 function placeOf(event) {
   const svg = $("stage").querySelector("svg");
   const box = svg.getBoundingClientRect();
@@ -123,7 +123,7 @@ function outlineOf(mark, name) {
   return ring;
 }
 
-/** What is pointed at lights up, and what belongs to it. */
+/** A mark that is pointed at lights up, and those that belong to it. */
 async function light(place) {
   lit = place;
   const found = await ask({ do: "point", ...place });

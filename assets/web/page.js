@@ -11,7 +11,7 @@ let playing = 0;
 let paper = null;  // the pictures as they are printed
 let paperTimer = 0;
 
-// What is shown -----------------------------------------------------------------------------------
+// The figure and its words ------------------------------------------------------------------------
 
 function element(name, properties = {}, ...children) {
   const made = Object.assign(document.createElement(name), properties);
@@ -68,7 +68,7 @@ function put(host, markup, role) {
   host.replaceChildren(svg);
 }
 
-/** What the mouse points at stays lit. */
+/** A mark that the mouse points at stays lit. */
 function putStage(markup) {
   put($("stage"), markup, "img");
   if (pointed) light(pointed);

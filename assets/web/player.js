@@ -28,7 +28,7 @@ async function instanceOf(module) {
     fd_close: done,
     fd_read: done,
     fd_seek: done,
-    // What is said when the program gives up goes nowhere; the trap that follows is seen.
+    // The last words of a program that gives up go nowhere; the trap that follows is seen.
     fd_write: (file, parts, count, written) => {
       let size = 0;
       for (let i = 0; i < count; ++i) size += view().getUint32(parts + 8 * i + 4, true);

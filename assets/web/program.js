@@ -58,7 +58,7 @@ function showBusy(on) {
   keepFocus(focused);
 }
 
-/** What the program is made of. */
+/** The parts that a program is started from. */
 let needed = null;
 
 async function load() {

@@ -21,7 +21,7 @@ function themeName(chosen) {
 
 // Before anything is painted.
 document.documentElement.dataset.theme = themeName(chosenTheme());
-// What the page holds is its first step in the light theme; a figure that will be another one waits.
+// The page holds its first step in the light theme; a figure that will be another one waits.
 {
   const { classList, dataset: { theme } } = document.documentElement;
   classList.toggle("embed", /[#&]embed(&|$)/.test(location.hash));

@@ -1,6 +1,6 @@
 "use strict";
 
-// What stands below the figure: tools, questions, numbers, vertices, options, the transcript.
+// Below the figure: tools, questions, numbers, vertices, options, the transcript.
 
 let hex = false;
 

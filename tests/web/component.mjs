@@ -404,7 +404,7 @@ const questions = [
   ...changes.map((change) => ["judge", right.replace(...change), {}]),
   ["judge", "", {}], ["judge", "{", {}], ["judge", wrong.split("\n")[0], {}],
 ];
-/** What the command prints. */
+/** The output of the command. */
 function said([what, text, { scalar, method, name }]) {
   const args = [what, name ?? "-", ...(scalar ? ["--scalar", scalar] : []), ...(method ? ["--method", method] : []), ...(what === "solve" ? [] : ["--json"])];
   const { stdout, stderr } = spawnSync(command, args, { input: text, cwd: root, encoding: "utf8", maxBuffer: 1 << 28 });

@@ -6,9 +6,9 @@ export interface StepDetail {
   step: number;
   /** How many steps there are. */
   count: number;
-  /** Where in the run that is, such as "Iteration 2: support". */
+  /** The place in the run, such as "Iteration 2: support". */
   position: string;
-  /** What happens there, and why. */
+  /** The words: what happens there, and why. */
   caption: string;
 }
 
@@ -16,7 +16,7 @@ export interface AnswerDetail {
   lesson: string;
   step: number;
   chosen: string;
-  /** What the run says. */
+  /** The answer of the run. */
   answer: string;
   right: boolean;
   /** Questions that were answered so far, and how many rightly. */

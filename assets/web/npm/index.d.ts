@@ -3,7 +3,7 @@ export type Method = "brute" | "pieces" | "boxes" | "circles" | "lin-canny";
 export type Point = number[];
 
 export interface Options {
-  /** What problems call the text; "<stdin>" if not given. `trace` takes a name that ends with ".toml" for that of a lesson. */
+  /** The name of the text in problems; "<stdin>" if not given. `trace` takes a name that ends with ".toml" for that of a lesson. */
   name?: string;
   /** Arithmetic for sets of points; "double" if not given. */
   scalar?: Scalar;
@@ -34,7 +34,7 @@ export interface Solved {
   scalar?: Scalar;
   lower?: number | null;
   upper?: number | null;
-  /** Of exact runs, a rational number. */
+  /** A rational number, as exact runs have them. */
   distance_squared?: string;
   verdict?: string;
   settled?: boolean;
@@ -86,6 +86,6 @@ export function trace(cases: string | Case | Case[], options?: Options): Promise
 /** The first wrong step in a log of any GJK, as `gjkscope judge --json` finds it. Rejects a log that cannot be read. */
 export function judge(log: string, options?: Pick<Options, "name">): Promise<Judgement>;
 
-/** What the command prints of the text, byte for byte: `out` on standard output, `err` on standard error. */
+/** The output of the command for the text, byte for byte: `out` on standard output, `err` on standard error. */
 export function printed(
   command: "solve" | "trace" | "judge", text: string | Case | Case[], options?: Options): Promise<{ out: string; err: string }>;

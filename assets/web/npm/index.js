@@ -27,7 +27,7 @@ async function answers(command, input, { name = "<stdin>", scalar = "double", me
   return said;
 }
 
-/** What the command prints: `out` on standard output, `err` on standard error. */
+/** The output of the command: `out` on standard output, `err` on standard error. */
 export async function printed(command, input, options) {
   const { out, err } = await answers(command, input, options);
   return { out: out.join(""), err };
