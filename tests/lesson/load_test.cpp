@@ -605,9 +605,12 @@ TEST(Load, CoordinatesOfASecondRunInHalfPrecisionMustBeHalves) {
   std::string text = replaced(testing::kFullLesson, "\"history\"]", "\"second-run\"]");
   text = with_second(text, "scalar = \"half\"");
   EXPECT_TRUE(parse(text).lesson) << all_of(parse(text).problems);
-  const LoadedLesson loaded = parse(replaced(text, "[6, 0]", "[70000, 0]"));
-  ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
-  EXPECT_NE(to_string(loaded.problems[0]).find("65504"), std::string::npos);
+  for (const auto& [was, is] :
+       {std::pair{"[6, 0]", "[70000, 0]"}, std::pair{"[1, 1]]\nframes", "[70000, 1]]\nframes"}}) {
+    const LoadedLesson loaded = parse(replaced(text, was, is));
+    ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
+    EXPECT_NE(to_string(loaded.problems[0]).find("65504"), std::string::npos);
+  }
 }
 
 TEST(Load, TheListingOfTheDifferenceNeedsFramesForThePairs) {

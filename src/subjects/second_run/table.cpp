@@ -70,15 +70,20 @@ std::optional<NamedFile> read_log_file(const TableSource& source, const Field& f
 /// A half cannot hold all that a double can.
 void check_halves(const TableSource& source, const Field& scalar) {
   double largest = 0.0;
+  const auto take = [&](const std::vector<Eigen::Vector2d>& points) {
+    for (const Eigen::Vector2d& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  };
   for (const LessonShape& shape : source.lesson.bodies) {
-    largest = std::max(largest, shape.translate.cwiseAbs().maxCoeff());
-    for (const Eigen::Vector2d& vertex : shape.vertices)
-      largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+    largest = std::max(largest, shape.radius);
+    take({shape.translate});
+    take(shape.vertices);
+  }
+  if (const auto& path = source.lesson.path_of_shapes) {
+    for (const LessonMotion& motion : path->motions) take(motion.points);
   }
   if (largest > limits::kLargestHalf) {
-    source.problems.add(scalar.place(),
-                        fmt::format("half precision cannot hold the coordinate {}", largest),
-                        fmt::format("coordinates from {0} to -{0}", limits::kLargestHalf));
+    source.problems.add(scalar.place(), fmt::format("half precision cannot hold {}", largest),
+                        fmt::format("coordinates from -{0} to {0}", limits::kLargestHalf));
   }
 }
 
