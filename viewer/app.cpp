@@ -207,8 +207,9 @@ void App::nudge(const Vector2d& pixels) {
   const Subject& selected = picture_.hand().selected;
   const LessonPictures::ShownView view = session_.views().front();
   const Vector2d units = view.camera.units_per_pixel(view.card.size().y());
-  const Vector2d by = snaps_ ? Vector2d(picture_.grid(0).cwiseProduct(pixels))
-                             : Vector2d(2.0 * units.cwiseProduct(pixels));
+  const Vector2d right_and_up = snaps_ ? Vector2d(picture_.grid(0).cwiseProduct(pixels))
+                                       : Vector2d(2.0 * units.cwiseProduct(pixels));
+  const Eigen::Vector3d by = along_screen(view.camera, right_and_up);
   session_.begin_drag(is_vertex(selected) ? "move a vertex" : "move a shape");
   const PositionedRun& run = session_.run().run(session_.frame());
   const int index = is_vertex(selected) ? index_of(selected) : -1;
@@ -668,9 +669,11 @@ std::string App::state_json() {
   const LessonRun& run = session_.run();
   if (const WideTrace& trace = run.run(frame).trace; !trace.is_empty())
     json["distance"] = trace.result.distance;
-  const auto vertices = [](const LessonShape& shape) {
+  const int dimension = run.lesson.dimension;
+  const auto vertices = [&](const LessonShape& shape) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    for (const Vector2d& vertex : shape.vertices) out.push_back({vertex.x(), vertex.y()});
+    for (const Eigen::Vector3d& vertex : shape.vertices)
+      out.push_back(std::vector<double>(vertex.data(), vertex.data() + dimension));
     return out;
   };
   json["x"] = vertices(session_.lesson().x());

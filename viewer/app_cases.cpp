@@ -80,7 +80,7 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) c
   }
   std::string hulls;
   for (const LessonShape& shape : lesson->bodies) {
-    if (!shows_another_outline(shape.vertices)) continue;
+    if (!shows_another_outline(in_plane(shape.vertices))) continue;
     hulls += (hulls.empty() ? "" : " and of ") + shape.name;
     for (LessonView& view : lesson->views) {
       if (view.kind == ViewKind::world && !view.calls_for(ShapeHull::kName))
@@ -148,7 +148,8 @@ const CaseNotes* App::case_notes() const {
   const Lesson& lesson = session_.lesson();
   const auto found =
       std::find_if(noted_cases_.begin(), noted_cases_.end(), [&](const NotedCase& each) {
-        return each.shapes.a == lesson.x().vertices && each.shapes.b == lesson.y().vertices;
+        return in_space(each.shapes.a) == lesson.x().vertices &&
+               in_space(each.shapes.b) == lesson.y().vertices;
       });
   return found == noted_cases_.end() ? nullptr : &found->notes;
 }

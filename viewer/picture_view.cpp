@@ -319,7 +319,9 @@ void PictureView::press(const Subject& subject, const Point& page) {
   if (!hand_.press(subject, page)) press_->view = view;
   if (is_vertex(hand_.selected)) {
     const std::size_t body = body_of(hand_.selected);
-    if (is_convex(session_.lesson().bodies[body].vertices)) press_->convex = body;
+    const Lesson& lesson = session_.lesson();
+    if (lesson.dimension == 2 && is_convex(in_plane(lesson.bodies[body].vertices)))
+      press_->convex = body;
   }
 }
 
@@ -347,7 +349,7 @@ void PictureView::release() {
     app_.say(session_.problem(), true);
   } else if (press_ && press_->moved && press_->convex) {
     const LessonShape& shape = session_.lesson().bodies[*press_->convex];
-    if (!is_convex(shape.vertices)) {
+    if (!is_convex(in_plane(shape.vertices))) {
       app_.say(fmt::format("{} has a dent: GJK sees its hull, which the effect 'shape hull' shows",
                            shape.name));
     }
@@ -360,7 +362,7 @@ void PictureView::let_go() {
   release();
   const std::optional<std::size_t> view = hand_.view_at(press.last);
   if (press.moved || !press.aim || !view) return;
-  app_.asking().click(*press.aim, *view, hand_.to_view(*view, press.last));
+  app_.asking().click(*press.aim, *view, in_plane(hand_.to_view(*view, press.last)));
 }
 
 void PictureView::double_click(const Point& page) {
@@ -373,7 +375,7 @@ void PictureView::double_click(const Point& page) {
 }
 
 void PictureView::zoom(std::size_t view, const Point& page, double factor) {
-  const Vector2d fixed = hand_.to_view(view, page);
+  const Eigen::Vector3d fixed = hand_.to_view(view, page);
   Camera camera = session_.views()[view].camera;
   const double height = camera.height * factor;
   if (!(height > 1e-12 && height < 1e12)) return;

@@ -9,6 +9,63 @@
 namespace gjkscope {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+/// The lesson's eye, or one that sees the true distance of the first run.
+Eye eye_of(const LessonRun& run, const LessonView& view) {
+  constexpr double kElevation = 20.0;
+  const WideResult& result = run.runs.front().trace.result;
+  return view.eye.value_or(eye_across(result.y - result.x, kElevation));
+}
+
+struct SphereInSpace {
+  Vector3d center;
+  double radius = 0.0;
+};
+
+/// Spheres around all that a view shows: those of the shapes, or of their differences and O.
+std::vector<SphereInSpace> spheres_in_space(const LessonRun& run, ViewKind kind) {
+  std::vector<SphereInSpace> out;
+  for (const PositionedRun& positioned : run.runs) {
+    const auto sphere_of = [&](const Body& body) {
+      Eigen::AlignedBox3d box;
+      for (const Vector3d& vertex : body.world) box.extend(vertex);
+      SphereInSpace sphere{box.center()};
+      for (const Vector3d& vertex : body.world)
+        sphere.radius = std::max(sphere.radius, (vertex - sphere.center).norm());
+      return sphere;
+    };
+    const SphereInSpace x = sphere_of(positioned.x());
+    const SphereInSpace y = sphere_of(positioned.y());
+    if (kind == ViewKind::world) {
+      out.insert(out.end(), {x, y});
+    } else {
+      out.insert(out.end(), {{Vector3d::Zero()}, {y.center - x.center, x.radius + y.radius}});
+    }
+  }
+  return out;
+}
+
+/// Fits a sphere around all that a view shows, so that nothing leaves it when the eye walks.
+Camera camera_in_space(const LessonRun& run, const LessonView& view, const Rect& area) {
+  constexpr double kSide = 46.0;  // room for labels, and for the title
+  const std::vector<SphereInSpace> seen = spheres_in_space(run, view.kind);
+  Eigen::AlignedBox3d box;
+  for (const SphereInSpace& sphere : seen) {
+    const Vector3d around = Vector3d::Constant(sphere.radius);
+    box.extend(Vector3d(sphere.center - around)).extend(Vector3d(sphere.center + around));
+  }
+  double radius = 0.0;
+  for (const SphereInSpace& sphere : seen)
+    radius = std::max(radius, (sphere.center - box.center()).norm() + sphere.radius);
+  Camera camera{box.center(), radius > 0.0 ? 2.0 * radius : 1.0, 1.0, eye_of(run, view)};
+  camera.height *= area.size().y() / (area.size().minCoeff() - 2.0 * kSide);
+  return camera;
+}
+
+}  // namespace
 
 Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area) {
   if (view.camera) {
@@ -17,8 +74,10 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
     const double usual_aspect = run.lesson.views.size() == 1 ? 1.8 : 0.95;
     Camera camera = *view.camera;
     camera.height *= std::max(1.0, usual_aspect * area.size().y() / area.size().x());
+    if (run.lesson.dimension == 3) camera.eye = eye_of(run, view);
     return camera;
   }
+  if (run.lesson.dimension == 3) return camera_in_space(run, view, area);
   Eigen::AlignedBox2d seen;
   const Act& act = *run.act;
   for (std::size_t index = 0; index < run.runs.size(); ++index) {
@@ -41,7 +100,8 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
       extend(y, run.lesson.y().radius);
       if (!view.calls_for(GrownObstacle::kName)) continue;
     }
-    const Vector2d shift = is_world ? positioned.x().placement.translate : Vector2d(0.0, 0.0);
+    const Vector2d shift =
+        is_world ? in_plane(positioned.x().placement.translate) : Vector2d(0.0, 0.0);
     extend(Eigen::AlignedBox2d(shift),
            is_world ? 0.0 : run.lesson.x().radius + run.lesson.y().radius);
     extend({y.min() - x.max() + shift, y.max() - x.min() + shift}, 0.0);

@@ -10,6 +10,7 @@
 #include "base/decimal.hpp"
 #include "lesson/json_place.hpp"
 #include "lesson/paste.hpp"
+#include "lesson/plane.hpp"
 #include "lesson/schema.hpp"
 #include "outlines/nearest.hpp"
 
@@ -396,7 +397,7 @@ std::string points_json(const std::vector<Vector2d>& points) {
 LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char letter) {
   LessonShape shape;
   shape.name = std::move(name);
-  shape.vertices = points;
+  shape.vertices = in_space(points);
   shape.vertex_names = numbered_names(letter, points.size());
   return shape;
 }

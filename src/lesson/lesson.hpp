@@ -13,6 +13,7 @@
 
 #include "gjk/gjk.hpp"
 #include "lesson/act_table.hpp"
+#include "lesson/eye.hpp"
 
 namespace gjkscope {
 
@@ -32,13 +33,15 @@ struct VertexRange {
   int count = 0;
 };
 
-/// A shape with named vertices. world = rotate(rotate_degrees) * vertex + translate.
+/// A shape with named vertices. world = rotate(axis, rotate_degrees) * vertex + translate. In the
+/// plane z = 0.
 struct LessonShape {
   std::string name;                       ///< "X", "Y", "Q"
   std::vector<std::string> vertex_names;  ///< As many as vertices, unique over both shapes.
-  std::vector<Eigen::Vector2d> vertices;  ///< In drawing order.
-  Eigen::Vector2d translate = Eigen::Vector2d::Zero();
-  double rotate_degrees = 0.0;  ///< Counter-clockwise.
+  std::vector<Eigen::Vector3d> vertices;  ///< In the plane in drawing order.
+  Eigen::Vector3d translate = Eigen::Vector3d::Zero();
+  double rotate_degrees = 0.0;                      ///< Counter-clockwise, seen against the axis.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Not 0; in the plane z.
   /// The shape is all points within it of the vertices' hull, about which GJK is asked
   /// (subjects/round_shapes).
   double radius = 0.0;
@@ -66,10 +69,11 @@ enum class ViewKind { world, difference, plot };
 /// The part of the world that a view shows: the rectangle around `center` that is `height` world
 /// units high (wider or narrower with the stage). Without a camera the view fits what it draws.
 struct Camera {
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double height = 1.0;
   double stretch = 1.0;  ///< y is drawn so many times larger than x; angles are true with 1 alone.
-  /// World units along x and along y, in a view that is `pixels` high.
+  std::optional<Eye> eye = {};  ///< Without one the view is of the plane.
+  /// World units to the right and up, in a view that is `pixels` high.
   [[nodiscard]] Eigen::Vector2d units_per_pixel(double pixels) const {
     return height / pixels * Eigen::Vector2d(stretch, 1.0);
   }
@@ -91,6 +95,7 @@ struct LessonView {
   std::optional<Camera> camera;
   std::vector<std::string> effects = {};  ///< Names of registered effects (subjects/subjects.hpp).
   std::optional<CloseUp> close_up = {};
+  std::optional<Eye> eye = {};  ///< In space; without one the view looks across d.
   [[nodiscard]] bool calls_for(std::string_view effect) const {
     return std::find(effects.begin(), effects.end(), effect) != effects.end();
   }
@@ -99,7 +104,7 @@ struct LessonView {
 
 /// How one shape moves. Without points it stays where it stands, without turns as it is turned.
 struct LessonMotion {
-  std::vector<Eigen::Vector2d> points;  ///< Translations at the corners of its way.
+  std::vector<Eigen::Vector3d> points;  ///< Translations at the corners of its way.
   std::vector<double> turns;            ///< Degrees counter-clockwise, one for each corner.
   friend bool operator==(const LessonMotion&, const LessonMotion&) = default;
 };
@@ -152,6 +157,7 @@ struct Lesson {
   std::string opening;  ///< Why the lesson is there: heads the words of the first frame.
   std::string next;     ///< A question for the next lesson; ends the last frame.
 
+  int dimension = 2;                   ///< 2 or 3.
   std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.
   ScalarKind scalar = ScalarKind::double_;
   /// Start at the first vertices, unless told otherwise.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -53,7 +54,16 @@ class LessonReader {
  private:
   void read_head(const Table& file);
   void read_prose(const Field& prose);
+  [[nodiscard]] static int dimension_of(const Field& x);
+  std::optional<Eigen::Vector3d> point(const Field& field) {
+    return reader_.point(field, largest_, lesson_.dimension);
+  }
+  /// "point [x, y]"
+  [[nodiscard]] std::string a_point() const {
+    return lesson_.dimension == 2 ? "point [x, y]" : "point [x, y, z]";
+  }
   void read_shape(const Field& field, std::size_t body);
+  void read_axis(const Field& axis, LessonShape& shape);
   void read_vertex_names(const Field& names, const Field& vertices, std::string_view key,
                          LessonShape& shape);
   void read_outlines(const Field& outlines, LessonShape& shape);
@@ -70,6 +80,7 @@ class LessonReader {
   void check_needs(const Term& term, const Field& field, std::string_view what);
   void read_effects(const Field& effects, LessonView& view);
   [[nodiscard]] Camera read_camera(const Table& table);
+  [[nodiscard]] std::optional<Eye> read_eye(const Field& field);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
   void read_questions(const Field& questions);
@@ -108,6 +119,7 @@ Lesson LessonReader::read(const toml::table& root) {
   if (lesson_.scalar == ScalarKind::half) largest_ = limits::kLargestHalf;
 
   if (const auto shapes = reader_.table(file["shapes"], "shapes")) {
+    lesson_.dimension = dimension_of((*shapes)["X"]);
     for (std::size_t body = 0; body < kBodyKeys.size(); ++body)
       read_shape((*shapes)[kBodyKeys[body]], body);
   }
@@ -157,6 +169,31 @@ void LessonReader::read_prose(const Field& prose) {
   }
 }
 
+/// That of the first vertex of X; 2 where there is none.
+int LessonReader::dimension_of(const Field& x) {
+  const toml::table* table = x ? x.node->as_table() : nullptr;
+  const toml::array* vertices = table != nullptr ? (*table)["vertices"].as_array() : nullptr;
+  if (vertices == nullptr || vertices->empty()) return 2;
+  const toml::array* first = vertices->get(0)->as_array();
+  return first != nullptr && first->size() == 3 ? 3 : 2;
+}
+
+void LessonReader::read_axis(const Field& axis, LessonShape& shape) {
+  if (!axis) return;
+  if (lesson_.dimension == 2) {
+    problems_.add(axis.place(), "an 'axis' in the plane", "points [x, y, z], or no 'axis'");
+    return;
+  }
+  const std::optional<Eigen::Vector3d> read = point(axis);
+  if (!read) return;
+  if (!(read->norm() > 0.0) || !std::isfinite(read->squaredNorm()) ||
+      !(read->squaredNorm() >= std::numeric_limits<double>::min())) {
+    problems_.add(axis.place(), "the axis has no direction", "point [x, y, z] away from 0");
+    return;
+  }
+  shape.axis = *read;
+}
+
 void LessonReader::read_shape(const Field& field, std::size_t body) {
   using namespace limits;
   const std::string_view key = kBodyKeys[body];
@@ -166,15 +203,16 @@ void LessonReader::read_shape(const Field& field, std::size_t body) {
   if (!table) return;
   shape.name = reader_.text((*table)["name"], kShapeNameLength).value_or(shape.name);
   const Field translate = (*table)["translate"];
-  shape.translate = reader_.point(translate, largest_).value_or(shape.translate);
+  shape.translate = point(translate).value_or(shape.translate);
   const Field rotate = (*table)["rotate"];
   shape.rotate_degrees = reader_.number(rotate, -kTurn, kTurn).value_or(0.0);
+  read_axis((*table)["axis"], shape);
   places_[body] = {translate, rotate};
   radii_[body] = (*table)["radius"];
   shape.radius = reader_.number(radii_[body], 0.0, largest_).value_or(0.0);
 
   const Field vertices = (*table)["vertices"];
-  const std::vector<Field> corners = reader_.entries(vertices, "point [x, y]");
+  const std::vector<Field> corners = reader_.entries(vertices, a_point());
   if (!vertices || !vertices.node->is_array()) return;
   if (corners.empty() || corners.size() > kVertices) {
     problems_.add(vertices.place(), fmt::format("'vertices' has {} entries", corners.size()),
@@ -183,9 +221,9 @@ void LessonReader::read_shape(const Field& field, std::size_t body) {
   }
   bool all_read = true;
   for (const Field& corner : corners) {
-    const std::optional<Eigen::Vector2d> vertex = reader_.point(corner, largest_);
+    const std::optional<Eigen::Vector3d> vertex = point(corner);
     all_read = all_read && vertex;
-    shape.vertices.push_back(vertex.value_or(Eigen::Vector2d::Zero()));
+    shape.vertices.push_back(vertex.value_or(Eigen::Vector3d::Zero()));
   }
   read_vertex_names((*table)["names"], vertices, key, shape);
   read_outlines((*table)["outlines"], shape);
@@ -326,7 +364,7 @@ void LessonReader::read_start(const Field& start) {
   }
   const std::vector<Field> entries = reader_.entries(start, "name of a simplex vertex");
   if (!start.node->is_array()) return;
-  if (entries.empty() || entries.size() > limits::kSimplexVertices) {
+  if (entries.empty() || static_cast<int>(entries.size()) > lesson_.dimension + 1) {
     problems_.add(start, fmt::format("'start' has {} entries", entries.size()));
     return;
   }
@@ -394,7 +432,7 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
     problems_.add(place.rotate.place(), fmt::format("'rotate' of {} besides turns", shape),
                   fmt::format("one of the two: {} says how {} is turned", table, shape));
   }
-  const std::vector<Field> corners = reader_.entries(points, "point [x, y]");
+  const std::vector<Field> corners = reader_.entries(points, a_point());
   const bool is_list = points && points.node->is_array();
   if (is_list && (corners.size() < 2 || corners.size() > kPositions)) {
     problems_.add(points.place(), fmt::format("'points' has {} entries", corners.size()),
@@ -402,7 +440,7 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
     return read;
   }
   for (const Field& corner : corners) {
-    if (const auto point = reader_.point(corner, largest_)) read.points.push_back(*point);
+    if (const auto read_point = point(corner)) read.points.push_back(*read_point);
   }
   const std::vector<Field> degrees =
       reader_.entries(turns, fmt::format("number from {:g} to {:g}", -kTurn, kTurn));
@@ -433,6 +471,10 @@ void LessonReader::check_needs(const Term& term, const Field& field, std::string
     problems_.add(field.place(), fmt::format("{} without a table [{}]", what, term.table),
                   fmt::format("a table [{}]", term.table));
   }
+  if (lesson_.dimension == 3 && !term.in_space) {
+    problems_.add(field.place(), fmt::format("{} of shapes in space", what),
+                  "points [x, y]: it is shown in the plane alone");
+  }
   const std::size_t of_x = lesson_.x().vertices.size();
   const std::size_t of_y = lesson_.y().vertices.size();
   if (term.pairs_vertices && of_x * of_y > limits::kDifferences) {
@@ -453,6 +495,8 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
   for (const std::string_view table : needs.required_tables()) {
     if (!file[table]) return refuse("without its table", fmt::format("a table [{}]", table));
   }
+  if (lesson_.dimension == 3 && !needs.in_space)
+    refuse("in space", "points [x, y]: its frames show the plane alone");
   if (needs.path == PathUse::refused && file["path"]) refuse("with a path", "no table [path]");
   if (shapes_read_ < 2) return;
   const int largest =
@@ -533,12 +577,25 @@ void LessonReader::read_act_table(const Table& file) {
 
 Camera LessonReader::read_camera(const Table& table) {
   Camera read;
-  read.center = reader_.point(table["center"], limits::kLargest).value_or(read.center);
+  read.center = reader_.point(table["center"], limits::kLargest, lesson_.dimension)
+                    .value_or(read.center);
   read.height = reader_.number(table["height"], limits::kSmallestCameraHeight, limits::kLargest)
                     .value_or(read.height);
   read.stretch = reader_.number(table["stretch"], 1.0 / limits::kMostStretch, limits::kMostStretch)
                      .value_or(read.stretch);
   return read;
+}
+
+std::optional<Eye> LessonReader::read_eye(const Field& field) {
+  const std::optional<Table> table = reader_.table(field, "views.eye");
+  if (!table) return std::nullopt;
+  if (lesson_.dimension == 2) {
+    problems_.add(field.place(), "an 'eye' in the plane", "points [x, y, z], or no 'eye'");
+    return std::nullopt;
+  }
+  return Eye{
+      reader_.number((*table)["azimuth"], -limits::kTurn, limits::kTurn).value_or(0.0),
+      reader_.number((*table)["elevation"], -limits::kUpright, limits::kUpright).value_or(0.0)};
 }
 
 void LessonReader::read_views(const Field& views) {
@@ -563,6 +620,11 @@ void LessonReader::read_views(const Field& views) {
       const std::optional<CardCorner> corner =
           reader_.choice<CardCorner>((*close_up)["corner"], "corner");
       view.close_up = {read_camera(*close_up), corner.value_or(CardCorner::bottom_right)};
+    }
+    view.eye = read_eye((*table)["eye"]);
+    if (view.close_up && lesson_.dimension == 3) {
+      problems_.add((*table)["close-up"].place(), "a close-up in space",
+                    "no 'close-up': it enlarges a part of the plane");
     }
     read_effects((*table)["effects"], view);
     if (!shows_shapes(view.kind)) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -24,16 +25,18 @@ std::vector<std::string> names_as_texts(const std::vector<E>& values) {
   return out;
 }
 
-void write_shape(TomlText& out, const LessonShape& shape, std::string_view key) {
+void write_shape(TomlText& out, const LessonShape& shape, std::string_view key, int dimension) {
   out.table(fmt::format("[shapes.{}]", key));
   out.text("name", shape.name, key);
   if (shape.vertex_names != default_vertex_names(shape, key))
     out.list("names", as_texts(shape.vertex_names));
-  out.list("vertices", shape.vertices);
+  out.list("vertices", shape.vertices, dimension);
   if (!shape.outlines.empty()) out.list("outlines", shape.outlines);
-  if (!same_bits(shape.translate.x(), 0.0) || !same_bits(shape.translate.y(), 0.0))
-    out.key("translate", in_brackets(shape.translate));
+  const bool is_moved = std::any_of(shape.translate.begin(), shape.translate.end(),
+                                    [](double by) { return !same_bits(by, 0.0); });
+  if (is_moved) out.key("translate", in_brackets(shape.translate, dimension));
   out.number("rotate", shape.rotate_degrees, 0.0);
+  if (shape.axis != LessonShape().axis) out.key("axis", in_brackets(shape.axis, dimension));
   out.number("radius", shape.radius, 0.0);
 }
 
@@ -76,35 +79,40 @@ void write_steps(TomlText& out, const Lesson& lesson) {
   if (!lesson.phases.empty()) out.list("phases", names_as_texts(lesson.phases));
 }
 
-void write_motion(TomlText& out, const LessonMotion& motion) {
-  if (!motion.points.empty()) out.list("points", motion.points);
+void write_motion(TomlText& out, const LessonMotion& motion, int dimension) {
+  if (!motion.points.empty()) out.list("points", motion.points, dimension);
   if (!motion.turns.empty()) out.list("turns", motion.turns);
 }
 
-void write_path(TomlText& out, const LessonPath& path) {
+void write_path(TomlText& out, const LessonPath& path, int dimension) {
   out.table("[path]");
-  write_motion(out, path.x());
+  write_motion(out, path.x(), dimension);
   out.whole_number("frames", path.frames, 0);
   if (path.seconds) out.key("seconds", decimal(*path.seconds));
   out.table("[path.Y]");
-  write_motion(out, path.y());
+  write_motion(out, path.y(), dimension);
 }
 
-std::string camera_keys(const Camera& camera) {
+std::string camera_keys(const Camera& camera, int dimension) {
   const std::string stretch =
       camera.stretch == 1.0 ? std::string() : ", stretch = " + decimal(camera.stretch);
-  return fmt::format("center = {}, height = {}{}", in_brackets(camera.center),
+  return fmt::format("center = {}, height = {}{}", in_brackets(camera.center, dimension),
                      decimal(camera.height), stretch);
 }
 
 /// A plot is called like the act that fills it.
-void write_view(TomlText& out, const LessonView& view, const std::string& act) {
+void write_view(TomlText& out, const LessonView& view, const Lesson& lesson) {
   out.table("[[views]]");
-  out.key("show", as_text(view.kind == ViewKind::plot ? act : name_of(view.kind)));
+  out.key("show", as_text(view.kind == ViewKind::plot ? lesson.act : name_of(view.kind)));
   out.text("title", view.title, "");
-  if (view.camera) out.key("camera", fmt::format("{{ {} }}", camera_keys(*view.camera)));
+  if (view.camera)
+    out.key("camera", fmt::format("{{ {} }}", camera_keys(*view.camera, lesson.dimension)));
+  if (view.eye) {
+    out.key("eye", fmt::format("{{ azimuth = {}, elevation = {} }}", decimal(view.eye->azimuth),
+                               decimal(view.eye->elevation)));
+  }
   if (view.close_up) {
-    out.key("close-up", fmt::format("{{ {}, corner = {} }}", camera_keys(view.close_up->camera),
+    out.key("close-up", fmt::format("{{ {}, corner = {} }}", camera_keys(view.close_up->camera, lesson.dimension),
                                     as_text(name_of(view.close_up->corner))));
   }
   if (!view.effects.empty()) out.list("effects", as_texts(view.effects));
@@ -136,12 +144,12 @@ std::string lesson_toml(const Lesson& lesson) {
   if (!lesson.opening.empty()) out.long_text("opening", lesson.opening);
   if (!lesson.next.empty()) out.long_text("next", lesson.next);
   for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
-    write_shape(out, lesson.bodies[i], kBodyKeys[i]);
+    write_shape(out, lesson.bodies[i], kBodyKeys[i], lesson.dimension);
   write_query(out, lesson);
   write_steps(out, lesson);
-  if (lesson.path_of_shapes) write_path(out, *lesson.path_of_shapes);
+  if (lesson.path_of_shapes) write_path(out, *lesson.path_of_shapes, lesson.dimension);
   if (const TableKind* kind = lesson.table.kind()) kind->write(lesson.table, out);
-  for (const LessonView& view : lesson.views) write_view(out, view, lesson.act);
+  for (const LessonView& view : lesson.views) write_view(out, view, lesson);
   out.table("[panel]");
   if (!lesson.panel.empty()) out.list("blocks", as_texts(lesson.panel));
   out.text("listing", lesson.listing, "");

@@ -63,7 +63,9 @@ std::vector<LessonKey> own_keys() {
        "what is solid, clockwise around a hole; only with granularities of outlines"},
       {"shapes.X", "translate", "point [x, y]", "[0, 0]", "where the shape's own origin stands"},
       {"shapes.X", "rotate", fmt::format("number from {} to {}", -kTurn, kTurn), "0",
-       "degrees counter-clockwise, before `translate`"},
+       "degrees counter-clockwise, before `translate`; in space about `axis`"},
+      {"shapes.X", "axis", "point [x, y, z]", "[0, 0, 1]",
+       "in space: the direction that the shape turns about, which is seen from its tip"},
       {"shapes.X", "radius", fmt::format("number from 0 to {}", kLargest), "0",
        "the shape is all points within this distance of the hull of the vertices; GJK asks about "
        "the hull, and frames that tell the end subtract the radii; only with granularities whose "
@@ -118,6 +120,8 @@ std::vector<LessonKey> own_keys() {
        "fits what is drawn", "the part of the world that is seen"},
       {"views", "close-up", "table { center = [x, y], height = h, corner = c }", "none",
        "a part of the view, enlarged in a corner"},
+      {"views", "eye", "table { azimuth = a, elevation = e }", "looks across d",
+       "in space: from which side the view is seen"},
       {"views", "effects", "list of effects", "none",
        "what is drawn beyond the shapes and the run"},
 
@@ -125,6 +129,10 @@ std::vector<LessonKey> own_keys() {
       {"views.camera", "height", camera_height, required, "height of the view in world units"},
       {"views.camera", "stretch", stretch, "1",
        "y is drawn so many times larger than x; with another number than 1, angles are not true"},
+      {"views.eye", "azimuth", fmt::format("number from {} to {}", -kTurn, kTurn), "0",
+       "degrees that the eye walks around z, counter-clockwise; at 0 x points to the right"},
+      {"views.eye", "elevation", fmt::format("number from {} to {}", -kUpright, kUpright), "0",
+       "degrees that the eye stands above the plane of x and y"},
       {"views.close-up", "center", "point [x, y]", required, "middle of what is enlarged"},
       {"views.close-up", "height", camera_height, required,
        "height of what is enlarged in world units"},

@@ -52,6 +52,7 @@ inline constexpr int kPositions = 500;        ///< On a path.
 inline constexpr double kShortest = 0.001;    ///< The shortest motion, in seconds.
 inline constexpr double kLongest = 3600.0;
 inline constexpr double kTurn = 360.0;          ///< Degrees.
+inline constexpr double kUpright = 90.0;        ///< Degrees that an eye is raised or lowered.
 inline constexpr int kScannedVertices = 20000;  ///< Vertices of both shapes times positions.
 inline constexpr int kCap = 100;                ///< The steps of all positions are kept in memory.
 inline constexpr int kSimplexVertices = 3;

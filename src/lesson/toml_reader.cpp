@@ -255,19 +255,25 @@ std::optional<bool> Reader::yes_or_no(const Field& field) {
   return std::nullopt;
 }
 
-std::optional<Eigen::Vector2d> Reader::point(const Field& field, double largest) {
+std::optional<Eigen::Vector3d> Reader::point(const Field& field, double largest, int dimension) {
   if (!field) return std::nullopt;
   const std::vector<Field> coordinates = entries(
       field, fmt::format("number of at most {} in size, or text like \"0x1.8p-3\"", largest));
   if (!field.node->is_array()) return std::nullopt;
-  if (coordinates.size() != 2) {
-    problems_.add(field, fmt::format("{} has {} coordinates", field.label, coordinates.size()));
+  if (static_cast<int>(coordinates.size()) != dimension) {
+    problems_.add(field.place(),
+                  fmt::format("{} has {} coordinates", field.label, coordinates.size()),
+                  dimension == 2 ? field.expected : "point [x, y, z], as the first vertex of X");
     return std::nullopt;
   }
-  const std::optional<double> x = number(coordinates[0], -largest, largest);
-  const std::optional<double> y = number(coordinates[1], -largest, largest);
-  if (!x || !y) return std::nullopt;
-  return Eigen::Vector2d(*x, *y);
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();
+  bool all_read = true;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const std::optional<double> read = number(coordinates[i], -largest, largest);
+    all_read = all_read && read;
+    out[static_cast<Eigen::Index>(i)] = read.value_or(0.0);
+  }
+  return all_read ? std::optional(out) : std::nullopt;
 }
 
 std::optional<std::string> Reader::name(const Field& field, std::string_view kind,

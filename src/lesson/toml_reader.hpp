@@ -92,8 +92,8 @@ class Reader {
   std::optional<double> number(const Field& field, double least, double most);
   std::optional<int> whole_number(const Field& field, int least, int most);
   std::optional<bool> yes_or_no(const Field& field);
-  /// A point whose coordinates are at most `largest` in size.
-  std::optional<Eigen::Vector2d> point(const Field& field, double largest);
+  /// A point of 2 or 3 coordinates, which are at most `largest` in size; in the plane z = 0.
+  std::optional<Eigen::Vector3d> point(const Field& field, double largest, int dimension);
   /// One of the known names, of which messages speak as "unknown `kind`".
   std::optional<std::string> name(const Field& field, std::string_view kind,
                                   const std::vector<std::string>& known);

@@ -58,8 +58,8 @@ std::vector<std::string> as_texts(const std::vector<std::string>& texts) {
   return texts_of(texts, as_text);
 }
 
-std::string in_brackets(const Eigen::Vector2d& point) {
-  return fmt::format("[{}, {}]", decimal(point.x()), decimal(point.y()));
+std::string in_brackets(const Eigen::Vector3d& point, int dimension) {
+  return in_brackets(std::vector<double>(point.data(), point.data() + dimension));
 }
 
 std::string in_brackets(const std::vector<double>& numbers) {
@@ -106,8 +106,11 @@ void TomlText::list(std::string_view name, const std::vector<int>& numbers) {
   list(name, texts_of(numbers, [](int number) { return std::to_string(number); }));
 }
 
-void TomlText::list(std::string_view name, const std::vector<Eigen::Vector2d>& points) {
-  list(name, texts_of(points, [](const Eigen::Vector2d& point) { return in_brackets(point); }));
+void TomlText::list(std::string_view name, const std::vector<Eigen::Vector3d>& points,
+                    int dimension) {
+  list(name, texts_of(points, [&](const Eigen::Vector3d& point) {
+         return in_brackets(point, dimension);
+       }));
 }
 
 void TomlText::long_text(std::string_view name, std::string_view text) {

@@ -15,8 +15,8 @@ namespace gjkscope {
 [[nodiscard]] std::string as_text(std::string_view text);
 [[nodiscard]] std::vector<std::string> as_texts(const std::vector<std::string>& texts);
 
-/// "[1.0, 2.0]"
-[[nodiscard]] std::string in_brackets(const Eigen::Vector2d& point);
+/// "[1.0, 2.0]"; of dimension 3 "[1.0, 2.0, 3.0]".
+[[nodiscard]] std::string in_brackets(const Eigen::Vector3d& point, int dimension);
 [[nodiscard]] std::string in_brackets(const std::vector<double>& numbers);
 
 /// 0.0 and -0.0 differ.
@@ -36,7 +36,7 @@ class TomlText {
   void list(std::string_view name, const std::vector<std::string>& entries);
   void list(std::string_view name, const std::vector<double>& numbers);
   void list(std::string_view name, const std::vector<int>& numbers);
-  void list(std::string_view name, const std::vector<Eigen::Vector2d>& points);
+  void list(std::string_view name, const std::vector<Eigen::Vector3d>& points, int dimension);
   /// On one line where it fits, else filled lines that each end with a backslash.
   void long_text(std::string_view name, std::string_view text);
 

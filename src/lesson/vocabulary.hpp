@@ -38,6 +38,7 @@ struct ActNeeds {
   int most_vertices = 0;      ///< In each shape; 0: as many as a lesson may have.
   bool takes_phases = false;  ///< `steps.phases` may choose among its frames.
   bool takes_radius = false;  ///< Shapes may have a radius: its frames tell how the run ends.
+  bool in_space = false;      ///< Shapes may be in space, too.
   std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
 
   /// The tables that must be there, "path" among them.
@@ -121,6 +122,7 @@ struct Term {
   bool takes_listing = false;   ///< A block that shows `panel.listing`.
   /// It needs every pair of a vertex of X and one of Y: more than limits::kDifferences are refused.
   bool pairs_vertices = false;
+  bool in_space = false;  ///< It can be shown of shapes in space, too.
 };
 
 struct Vocabulary {

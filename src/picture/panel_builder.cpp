@@ -81,7 +81,7 @@ std::string PanelBuilder::test_values(const gjk::RegionTest<double>& test) const
   std::string out;
   // An edge test also repeats that the projections lie within the edge; the area's sign is what
   // is new, unless it is the repeated part that fails.
-  if (gjk::vertex_count(test.region) == 3) return out;
+  if (gjk::vertex_count(test.region) == run.lesson.dimension + 1) return out;
   const auto is_flat = [](const gjk::RegionTerm<double>& term) {
     return gjk::vertex_count(term.face) == 3 && !(term.denominator > 0.0);
   };

@@ -5,6 +5,8 @@
 
 #include "lesson/vocabulary.hpp"
 #include "picture/hatch.hpp"
+#include "picture/solid.hpp"
+#include "picture/words.hpp"
 
 namespace gjkscope {
 
@@ -57,8 +59,9 @@ std::vector<Point> told_apart(const std::vector<Point>& points) {
 
 std::vector<Vector2d> StageMap::visible() const {
   const Vector2d half = 0.5 * camera_.units_per_pixel(area_.size().y()).cwiseProduct(area_.size());
-  return {camera_.center - half, camera_.center + Vector2d(half.x(), -half.y()),
-          camera_.center + half, camera_.center + Vector2d(-half.x(), half.y())};
+  const Vector2d center = in_plane(camera_.center);
+  return {center - half, center + Vector2d(half.x(), -half.y()), center + half,
+          center + Vector2d(-half.x(), half.y())};
 }
 
 namespace {
@@ -98,8 +101,8 @@ SceneBuilder::SceneBuilder(const LessonRun& lesson_run, EffectGraph& graph, cons
       map(stage_map),
       positioned(run.run(frame)),
       state(run.state(frame)),
-      shift(view.kind == ViewKind::world && run.point_query() ? in_plane(positioned.x().world[0])
-                                                              : Vector2d(0.0, 0.0)),
+      shift(view.kind == ViewKind::world && run.point_query() ? positioned.x().world[0]
+                                                              : Eigen::Vector3d(0.0, 0.0, 0.0)),
       shows_difference(view.kind == ViewKind::difference || run.point_query()),
       knows(effects.get<FrameFacts>(frame)) {}
 
@@ -228,7 +231,8 @@ Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {
   if (scale >= 1e300) scale = room.y();
   Camera camera;
   camera.height = area.size().y() / scale;
-  camera.center = 0.5 * (box.min() + box.max()) + Vector2d(0.0, 0.5 * (kTop - kBottom) / scale);
+  camera.center = in_space(
+      Vector2d(0.5 * (box.min() + box.max()) + Vector2d(0.0, 0.5 * (kTop - kBottom) / scale)));
   return camera;
 }
 
@@ -236,13 +240,26 @@ void SceneBuilder::search_arrow(const Point& from, const Eigen::Vector3d& d, dou
                                 const std::string& text) {
   if (!(d.norm() > 0.0)) return;
   const Point along = map.direction(d);
+  constexpr double kLeastArrow = 6.0;  // pixels: in space d may point at the eye
   const Point tip = from + length * along;
+  if ((tip - from).norm() < kLeastArrow) return;
   arrow("direction", from, tip);
   // At the tip it could be taken for the name of a vertex there, in the middle for that of P.
   constexpr double kNamed = 0.6;  // of the arrow
   out.moving_labels.push_back(label("arrow:" + text, text, "direction.label", type::kVertex,
                                     from + kNamed * (tip - from), 0.0,
                                     Point(along.y(), -along.x())));
+}
+
+void SceneBuilder::support_plane(const Eigen::Vector3d& w, const Eigen::Vector3d& d,
+                                 const std::string& role) {
+  if (!map.is_of_space()) return support_line(at_difference(w), d, role);
+  constexpr double kOfView = 0.22;  // half a side, of the view's height: about the size of Z
+  const Eigen::Vector3d n = d.normalized();
+  // Around the place of the plane that is nearest to the middle of the view.
+  const Eigen::Vector3d from = map.center() - shift;
+  draw_plane(*this, from + n * n.dot(w - from) + shift, n,
+             kOfView * map.area().size().y() / map.scale(), role);
 }
 
 void SceneBuilder::support_line(const Point& through, const Eigen::Vector3d& d,

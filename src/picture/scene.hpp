@@ -15,7 +15,8 @@
 
 namespace gjkscope {
 
-/// From the coordinates of a view to the frame: y up becomes y down.
+/// From the coordinates of a view to the frame: y up becomes y down. Space is seen by the camera's
+/// eye, orthographically.
 class StageMap {
  public:
   /// Pixels from the stage's middle beyond which a point is moved in: a painter computes in single
@@ -25,28 +26,46 @@ class StageMap {
   /// Shows `camera.height` units over the height of `area`, centred. Who cuts off what lies outside
   /// may do without a `farthest`.
   StageMap(const Rect& area, const Camera& camera, double farthest = kFarthest)
-      : area_(area), camera_(camera), farthest_(farthest) {}
+      : area_(area), camera_(camera), farthest_(farthest) {
+    if (camera.eye) axes_ = axes_of(*camera.eye);
+  }
   /// Pixels for a unit along y.
   [[nodiscard]] double scale() const { return area_.size().y() / camera_.height; }
-  /// Vectors have two or three coordinates; the third is not seen.
+  /// Vectors have two or three coordinates; in the plane the third is not seen.
   template <class V>
   [[nodiscard]] Point operator()(const Eigen::MatrixBase<V>& v) const {
-    const Eigen::Vector2d d = stretched(scale() * (v.template head<2>() - camera_.center))
-                                  .cwiseMax(-farthest_)
-                                  .cwiseMin(farthest_);
+    const Eigen::Vector2d from_center =
+        camera_.eye ? seen(in_space(v.eval()) - camera_.center)
+                    : Eigen::Vector2d(v.template head<2>() - camera_.center.head<2>());
+    const Eigen::Vector2d d =
+        stretched(scale() * from_center).cwiseMax(-farthest_).cwiseMin(farthest_);
     return area_.center() + Point(d.x(), -d.y());
   }
-  /// Along d, of unit length in frame pixels.
+  /// Along d, in frame pixels: of unit length; in space shorter, as far as d points towards the eye
+  /// or away from it.
   template <class V>
   [[nodiscard]] Point direction(const Eigen::MatrixBase<V>& d) const {
+    if (camera_.eye) {
+      const Eigen::Vector2d along = seen(in_space(d.eval()).normalized());
+      return {along.x(), -along.y()};
+    }
     const Eigen::Vector2d along = stretched(d.template head<2>());
     return Point(along.x(), -along.y()) / along.norm();
   }
+  [[nodiscard]] bool is_of_space() const { return camera_.eye.has_value(); }
+  /// Directions of the world to the right, up and towards the eye, as rows; only in space.
+  [[nodiscard]] const Eigen::Matrix3d& axes() const { return axes_; }
+  [[nodiscard]] const Eigen::Vector3d& center() const { return camera_.center; }
+  /// How far v reaches towards the eye; only in space.
+  [[nodiscard]] double towards_eye(const Eigen::Vector3d& v) const { return axes_.row(2).dot(v); }
   [[nodiscard]] const Rect& area() const { return area_; }
   /// Corners of what `area` shows, counter-clockwise, in view coordinates.
   [[nodiscard]] std::vector<Eigen::Vector2d> visible() const;
 
  private:
+  [[nodiscard]] Eigen::Vector2d seen(const Eigen::Vector3d& v) const {
+    return axes_.topRows<2>() * v;
+  }
   [[nodiscard]] Eigen::Vector2d stretched(const Eigen::Vector2d& v) const {
     return {v.x() / camera_.stretch, v.y()};
   }
@@ -54,6 +73,7 @@ class StageMap {
   Rect area_;
   Camera camera_;
   double farthest_;
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
 };
 
 /// The drawing on a stage at one frame, labels not yet placed.
@@ -119,7 +139,7 @@ struct SceneBuilder {
   }
   template <class V>
   [[nodiscard]] Point at_difference(const Eigen::MatrixBase<V>& z) const {
-    return map(z.template head<2>() + shift);
+    return map(in_space(z.eval()) + shift);
   }
   [[nodiscard]] const Eigen::Vector3d& vertex_of_x(const WideVertex& vertex) const {
     return positioned.x().world[vertex.pair.x];
@@ -170,6 +190,9 @@ struct SceneBuilder {
   /// The line through a point, normal to d.
   void support_line(const Point& through, const Eigen::Vector3d& d,
                     const std::string& role = "support.plane");
+  /// The line through a point of the difference, normal to d; in space a part of the plane.
+  void support_plane(const Eigen::Vector3d& w, const Eigen::Vector3d& d,
+                     const std::string& role = "support.plane");
   /// A length beside the line that it is the length of; none within a pixel.
   void length_label(const std::string& id, double length, const Point& from, const Point& to);
 
@@ -186,7 +209,7 @@ struct SceneBuilder {
   const WideState& state;
   /// From the difference to the view. A point query's difference is the polygon seen from Q: drawn
   /// in the world it stands where the polygon is.
-  Eigen::Vector2d shift;
+  Eigen::Vector3d shift;
   bool shows_difference;
   const FrameFacts::Value& knows;
   Scene out;

@@ -1,5 +1,7 @@
 #include "picture/story.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace gjkscope {
@@ -27,7 +29,7 @@ std::string Story::set_name() const { return run.point_query() ? run.lesson.y().
 std::string Story::simplex_name() const { return words.kind_and_face(state.simplex.all()); }
 
 std::string Story::p_is() const {
-  if (gjk::vertex_count(state.region) == 3) return "P = " + q;
+  if (is_solid(state.region)) return "P = " + q;
   return "P = " + words.combination(state.region, numbers);
 }
 

@@ -22,6 +22,15 @@ struct Story {
   /// The polygon of a point query, or Z.
   [[nodiscard]] std::string set_name() const;
   [[nodiscard]] std::string simplex_name() const;
+  /// Whether a face is a simplex of the whole dimension: a triangle in the plane, a tetrahedron in
+  /// space. A point that projects into it lies in it.
+  [[nodiscard]] bool is_solid(gjk::Face face) const {
+    return gjk::vertex_count(face) == run.lesson.dimension + 1;
+  }
+  /// The support line, or plane.
+  [[nodiscard]] std::string_view plane() const {
+    return run.lesson.dimension == 3 ? "plane" : "line";
+  }
   /// "P = 0.3 B + 0.7 C"
   [[nodiscard]] std::string p_is() const;
   /// "vertex K of Y and edge CD of X": those whose differences hold P at the end of a run.

@@ -147,17 +147,20 @@ std::string Numbers::operator()(double value) const {
   return fixed(value, 3);
 }
 
-std::string Numbers::point_in_plane(const Eigen::Vector2d& value, int decimals) const {
-  if (scalar_ == ScalarKind::single || scalar_ == ScalarKind::half) {
-    return fmt::format("({}, {})", (*this)(value.x()), (*this)(value.y()));
-  }
+std::string Numbers::point_text(const Eigen::Vector3d& value, int decimals) const {
+  const auto listed = [&](const auto& text) {
+    std::vector<std::string> numbers;
+    for (int i = 0; i < dimension_; ++i) numbers.push_back(text(value[i]));
+    return fmt::format("({})", fmt::join(numbers, ", "));
+  };
+  if (scalar_ == ScalarKind::single || scalar_ == ScalarKind::half) return listed(*this);
   // A point that would be zeros alone, or digits without end, has a power of ten of its own.
-  const double size = value.cwiseAbs().maxCoeff();
+  const double size = value.head(dimension_).cwiseAbs().maxCoeff();
   const bool is_ordinary = size == 0.0 || (size >= std::pow(0.1, decimals) && size < kLarge);
   const int exponent = is_ordinary ? 0 : static_cast<int>(std::floor(std::log10(size)));
-  const Eigen::Vector2d shown = is_ordinary ? value : value * std::pow(10.0, -exponent);
-  return fmt::format("({}, {}){}", fixed(shown.x(), decimals), fixed(shown.y(), decimals),
-                     is_ordinary ? "" : std::string(kTimesTen) + raised(exponent));
+  const double unit = is_ordinary ? 1.0 : std::pow(10.0, -exponent);
+  return listed([&](double number) { return fixed(number * unit, decimals); }) +
+         (is_ordinary ? "" : std::string(kTimesTen) + raised(exponent));
 }
 
 std::string Numbers::weight(double value) const {
@@ -180,7 +183,7 @@ std::vector<int> SimplexWords::order(gjk::Face face) const {
   for (int i = 0; i < simplex_.count; ++i) {
     if (gjk::contains(face, i)) out.push_back(i);
   }
-  if (cyclic_ && face == 0b101) return {2, 0};
+  if (cyclic_ && simplex_.count == 3 && face == 0b101) return {2, 0};
   if (cyclic_) return out;
   // A lesson that starts with the edge DC has reasons not to call it CD.
   const WideSimplex& initial = run_.runs.front().trace.initial.simplex;
@@ -210,6 +213,7 @@ std::string SimplexWords::face(gjk::Face face) const {
 std::string SimplexWords::kind_and_face(gjk::Face face) const {
   const int size = gjk::vertex_count(face);
   const std::string_view kind = size == 1                ? "vertex"
+                                : size == 4              ? "tetrahedron"
                                 : size == 3              ? "triangle"
                                 : simplex_.count == size ? "segment"
                                                          : "edge";
@@ -260,7 +264,8 @@ std::string feature_name(const LessonRun& run, const WideSimplex& simplex, bool 
     const gjk::VertexPair pair = simplex.vertices[i].pair;
     indices.insert(of_x ? pair.x : pair.y);
   }
-  constexpr std::array<std::string_view, 4> kKinds = {"nothing", "vertex", "edge", "triangle"};
+  constexpr std::array<std::string_view, 5> kKinds = {"nothing", "vertex", "edge", "triangle",
+                                                      "tetrahedron"};
   std::string out(kKinds[indices.size()]);
   out += ' ';
   for (const int i : indices) out += (of_x ? run.lesson.x() : run.lesson.y()).vertex_names[i];

@@ -45,21 +45,23 @@ namespace gjkscope {
 /// in scientific notation.
 class Numbers {
  public:
-  explicit Numbers(const Lesson& lesson) : scalar_(lesson.scalar) {}
+  explicit Numbers(const Lesson& lesson)
+      : scalar_(lesson.scalar), dimension_(lesson.dimension) {}
   [[nodiscard]] std::string operator()(double value) const;
-  /// "(0.50, −1.25)"; where all of these digits would be zeros, or the numbers are large, with a
+  /// "(0.50, −1.25)", in space with three coordinates; where all of these digits would be zeros, or the numbers are large, with a
   /// power of ten: "(0.00, 1.00)·10⁻⁴".
   template <class V>
   [[nodiscard]] std::string point(const Eigen::MatrixBase<V>& value, int decimals = 2) const {
-    return point_in_plane(value.template head<2>(), decimals);
+    return point_text(in_space(value.eval()), decimals);
   }
   /// A barycentric weight: three decimals where the scalar is not the point.
   [[nodiscard]] std::string weight(double value) const;
 
  private:
-  [[nodiscard]] std::string point_in_plane(const Eigen::Vector2d& value, int decimals) const;
+  [[nodiscard]] std::string point_text(const Eigen::Vector3d& value, int decimals) const;
 
   ScalarKind scalar_;
+  int dimension_;
 };
 
 /// How one simplex of a run is called.

@@ -14,6 +14,7 @@ struct EffectInfo {
                                 ///< block does; "frame": any part of a frame may.
   std::string_view act = {};    ///< The act that it goes with; empty: any.
   std::string_view table = {};  ///< The table that it shows; empty: none.
+  bool in_space = false;        ///< It can be shown of shapes in space, too.
 };
 
 /// The entry of the effect E (run/graph.hpp).
@@ -22,6 +23,12 @@ template <class E>
                                                std::string_view act = {},
                                                std::string_view table = {}) {
   return {E::kName, E::kNeeds, summary, used_by, act, table};
+}
+
+/// The entry, of an effect that shapes in space have, too.
+[[nodiscard]] constexpr EffectInfo also_in_space(EffectInfo info) {
+  info.in_space = true;
+  return info;
 }
 
 /// These belong to no subject: any frame may use them.

@@ -23,7 +23,7 @@ bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan, const LessonShape& 
     first = std::max(first, entry.value);
   }
   double size = 0.0;
-  for (const Eigen::Vector2d& vertex : shape.vertices)
+  for (const Eigen::Vector3d& vertex : shape.vertices)
     size = std::max(size, (vertex - shape.vertices.front()).norm());
   return first - second <= kSeen * d.norm() * size;
 }

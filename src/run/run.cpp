@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "exact/instances.hpp"
 #include "lesson/load.hpp"
@@ -16,7 +17,7 @@
 namespace gjkscope {
 namespace {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 template <class S, int D>
 std::vector<Eigen::Vector3d> world_vertices(const gjk::Shape<S, D>& shape) {
@@ -71,16 +72,9 @@ gjk::Options with_start(gjk::Options options, const gjk::Query<double, D>& given
   return options;
 }
 
-/// The shapes as they stand in the world, in the lesson's scalar.
-Case world_of(const Lesson& lesson, const std::vector<Placement>& placements) {
-  return with_query(lesson, placements, []<class S>(const gjk::Query<S, 2>& query) {
-    return Case{in_plane(world_vertices(query.x)), in_plane(world_vertices(query.y))};
-  });
-}
-
 /// The shapes where they stand; GJK is not asked.
 PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
-  return with_query(lesson, at.placements, [&]<class S>(const gjk::Query<S, 2>& query) {
+  return with_query(lesson, at.placements, [&]<class S, int D>(const gjk::Query<S, D>& query) {
     PositionedRun run;
     run.bodies = {{at.placements[0], world_vertices(query.x)},
                   {at.placements[1], world_vertices(query.y)}};
@@ -90,10 +84,12 @@ PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
 }
 
 PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
-  const gjk::Options started = with_query_in<double>(
-      lesson, at.placements, [&](const auto& given) { return with_start(options, given); });
-  return with_query(lesson, at.placements, [&]<class S>(const gjk::Query<S, 2>& query) {
-    return run_query<S, 2>(query, started, at);
+  const auto start = [&](const auto& given) { return with_start(options, given); };
+  const gjk::Options started = lesson.dimension == 3
+                                   ? with_query_in<double, 3>(lesson, at.placements, start)
+                                   : with_query_in<double, 2>(lesson, at.placements, start);
+  return with_query(lesson, at.placements, [&]<class S, int D>(const gjk::Query<S, D>& query) {
+    return run_query<S, D>(query, started, at);
   });
 }
 
@@ -104,10 +100,10 @@ gjk::Options warm(gjk::Options options, const WideTrace& last) {
 }
 
 /// Positions at equal steps along the polyline.
-std::vector<Vector2d> along(const std::vector<Vector2d>& corners, int frames) {
+std::vector<Vector3d> along(const std::vector<Vector3d>& corners, int frames) {
   double length = 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) length += (corners[i] - corners[i - 1]).norm();
-  std::vector<Vector2d> out;
+  std::vector<Vector3d> out;
   for (int i = 0; i < frames; ++i) {
     double along = length * i / (frames - 1);
     std::size_t k = 1;
@@ -124,7 +120,7 @@ std::vector<Vector2d> along(const std::vector<Vector2d>& corners, int frames) {
 
 /// The place of a shape at `part` of its motion, from 0 to 1: the corners come at equal times.
 Placement placement_at(const LessonShape& shape, const LessonMotion& motion, double part) {
-  Placement placement{shape.translate, shape.rotate_degrees};
+  Placement placement{shape.translate, shape.rotate_degrees, shape.axis};
   if (motion.points.size() < 2) return placement;
   const std::size_t legs = motion.points.size() - 1;
   const double way = part * static_cast<double>(legs);
@@ -139,7 +135,8 @@ Placement placement_at(const LessonShape& shape, const LessonMotion& motion, dou
 std::vector<Scenery> sceneries_of(const Lesson& lesson) {
   Scenery standing;
   for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
-    standing.placements[i] = {lesson.bodies[i].translate, lesson.bodies[i].rotate_degrees};
+    standing.placements[i] = {lesson.bodies[i].translate, lesson.bodies[i].rotate_degrees,
+                             lesson.bodies[i].axis};
   if (!lesson.path_of_shapes) return {standing};
   const LessonPath& path = *lesson.path_of_shapes;
   std::vector<Scenery> out;
@@ -152,9 +149,9 @@ std::vector<Scenery> sceneries_of(const Lesson& lesson) {
     }
     return out;
   }
-  const std::vector<Vector2d>& corners = path.x().points;
+  const std::vector<Vector3d>& corners = path.x().points;
   const bool between_corners = path.frames > 0 && corners.size() > 1;
-  for (const Vector2d& position : between_corners ? along(corners, path.frames) : corners) {
+  for (const Vector3d& position : between_corners ? along(corners, path.frames) : corners) {
     out.push_back(standing);
     out.back().placements[0].translate = position;
   }
@@ -176,6 +173,19 @@ double written_precision(double value) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d turn_of(const Placement& placement) {
+  using Long = Eigen::Matrix<long double, 3, 1>;
+  const long double angle = placement.rotate_degrees * std::numbers::pi / 180.0;
+  const long double c = std::cos(angle);
+  const long double s = std::sin(angle);
+  const Long a = placement.axis.cast<long double>().normalized();
+  Eigen::Matrix<long double, 3, 3> cross;
+  cross << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  const Eigen::Matrix<long double, 3, 3> turn =
+      c * Eigen::Matrix<long double, 3, 3>::Identity() + s * cross + (1 - c) * (a * a.transpose());
+  return turn.cast<double>();
+}
 
 int last_step(const Lesson& lesson, const WideTrace& trace) {
   if (lesson.until) {
@@ -289,7 +299,7 @@ Case case_of(const PositionedRun& run) {
 }
 
 Case case_of(const Lesson& lesson) {
-  return world_of(lesson, sceneries_of(lesson).front().placements);
+  return case_of(standing_at(lesson, sceneries_of(lesson).front()));
 }
 
 PositionedRun run_afresh(const LessonRun& run, int index) {
@@ -302,15 +312,27 @@ gjk::Options started_as(const PositionedRun& run, gjk::Options options) {
   return options;
 }
 
+namespace {
+
+template <int D>
+PositionedRun run_again_in(const PositionedRun& run, const gjk::Options& options,
+                           ScalarKind scalar, const std::function<void()>& before_phase) {
+  const std::vector<gjk::Vec<double, D>> a = narrowed_all<double, D>(run.x().world);
+  const std::vector<gjk::Vec<double, D>> b = narrowed_all<double, D>(run.y().world);
+  const gjk::Options started = with_start<D>(options, {{a}, {b}});
+  return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
+    const std::vector<gjk::Vec<S, D>> x = narrowed_all<S, D>(run.x().world);
+    const std::vector<gjk::Vec<S, D>> y = narrowed_all<S, D>(run.y().world);
+    return run_query<S, D>({{x}, {y}}, started, {placements_of(run), run.time}, before_phase);
+  });
+}
+
+}  // namespace
+
 PositionedRun run_again(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,
                         const std::function<void()>& before_phase) {
-  const Case world = case_of(run);
-  const gjk::Options started = with_start<2>(options, {{world.a}, {world.b}});
-  return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x().world);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y().world);
-    return run_query<S, 2>({{x}, {y}}, started, {placements_of(run), run.time}, before_phase);
-  });
+  return run.trace.dimension == 3 ? run_again_in<3>(run, options, scalar, before_phase)
+                                  : run_again_in<2>(run, options, scalar, before_phase);
 }
 
 std::vector<Problem> check_expectation(const LessonRun& run) {

@@ -24,9 +24,14 @@ struct DistanceBounds {
 
 /// The place of a shape.
 struct Placement {
-  Eigen::Vector2d translate = Eigen::Vector2d::Zero();
-  double rotate_degrees = 0.0;  ///< Counter-clockwise.
+  Eigen::Vector3d translate = Eigen::Vector3d::Zero();
+  double rotate_degrees = 0.0;                      ///< Counter-clockwise, seen against the axis.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< As LessonShape::axis.
 };
+
+/// Its turn, rounded from more digits: a double's sine differs in the last bit from library to
+/// library.
+[[nodiscard]] Eigen::Matrix3d turn_of(const Placement& placement);
 
 /// A shape of a run.
 struct Body {
@@ -112,7 +117,7 @@ template <int D>
                                     const std::vector<std::string>& y_names, gjk::VertexPair pair);
 
 /// The shapes as they stand in the world, rounded as the run rounds them; of a lesson: as they
-/// stand in its first run. Finite where they can be drawn (why_not_drawn).
+/// stand in its first run. Finite where they can be drawn (why_not_drawn). Of the plane alone.
 [[nodiscard]] Case case_of(const PositionedRun& run);
 [[nodiscard]] Case case_of(const Lesson& lesson);
 

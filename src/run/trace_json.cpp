@@ -70,8 +70,9 @@ class TraceWriter {
     out["vertex_names"] = value.vertex_names;
     out["vertices"] = points(value.vertices);
     if (!value.outlines.empty()) out["outlines"] = value.outlines;
-    out["translate"] = point(in_space(value.placement.translate));
+    out["translate"] = point(value.placement.translate);
     out["rotate_degrees"] = number(value.placement.rotate_degrees);
+    if (value.placement.axis != Placement().axis) out["axis"] = point(value.placement.axis);
     if (value.radius > 0.0) out["radius"] = number(value.radius);
     return out;
   }
@@ -80,9 +81,9 @@ class TraceWriter {
     positioned_ = &value;
     Json out;
     out["time"] = number(value.time);
-    out["position"] = point(in_space(value.x().placement.translate));
+    out["position"] = point(value.x().placement.translate);
     out["turn"] = number(value.x().placement.rotate_degrees);
-    out["y_position"] = point(in_space(value.y().placement.translate));
+    out["y_position"] = point(value.y().placement.translate);
     out["y_turn"] = number(value.y().placement.rotate_degrees);
     out["x_world"] = points(value.x().world);
     out["y_world"] = points(value.y().world);

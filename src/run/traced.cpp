@@ -10,8 +10,8 @@ namespace {
 TracedShape traced(const LessonShape& shape) {
   return {shape.name,
           shape.vertex_names,
-          in_space(shape.vertices),
-          {shape.translate, shape.rotate_degrees},
+          shape.vertices,
+          {shape.translate, shape.rotate_degrees, shape.axis},
           shape.outlines,
           shape.radius};
 }
@@ -20,7 +20,8 @@ std::string moved(const Lesson& lesson, const LessonShape& shape, const LessonMo
                   const Placement& placement) {
   if (motion.points.empty()) return {};
   std::string out = fmt::format(", {} moved by {}", shape.name,
-                                fields::point_text(lesson.scalar, placement.translate));
+                                fields::point_text(lesson.scalar,
+                                                   placement.translate.head(lesson.dimension)));
   if (!motion.turns.empty()) {
     out += fmt::format(" and turned by {} degrees",
                        fields::number_text(lesson.scalar, placement.rotate_degrees));

@@ -2,10 +2,10 @@
 // Traces of GJK as pictures, words and files read them: in doubles and in three coordinates,
 // whatever the scalar and the dimension of the run. In the plane z = 0.
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "gjk/gjk.hpp"
+#include "lesson/plane.hpp"
 
 namespace gjkscope {
 
@@ -32,15 +32,7 @@ struct WideTrace {
   [[nodiscard]] bool is_empty() const { return result.stop == gjk::StopReason::running; }
 };
 
-/// Vectors, vertices and simplices of the plane as those of space, and back.
-[[nodiscard]] inline Eigen::Vector2d in_plane(const Eigen::Vector3d& v) { return v.head<2>(); }
-[[nodiscard]] inline std::vector<Eigen::Vector2d> in_plane(
-    const std::vector<Eigen::Vector3d>& vectors) {
-  std::vector<Eigen::Vector2d> out;
-  out.reserve(vectors.size());
-  for (const Eigen::Vector3d& v : vectors) out.push_back(in_plane(v));
-  return out;
-}
+/// Vertices and simplices of the plane as those of space, and back.
 [[nodiscard]] inline gjk::Simplex<double, 2> in_plane(const WideSimplex& simplex) {
   gjk::Simplex<double, 2> out;
   out.count = simplex.count;
@@ -50,19 +42,8 @@ struct WideTrace {
   }
   return out;
 }
-[[nodiscard]] inline Eigen::Vector3d in_space(const Eigen::Vector2d& v) {
-  return {v.x(), v.y(), 0};
-}
-[[nodiscard]] inline Eigen::Vector3d in_space(const Eigen::Vector3d& v) { return v; }
 [[nodiscard]] inline WideVertex in_space(const gjk::SupportPoint<double, 2>& v) {
   return {in_space(v.w), v.pair};
-}
-template <class Vector>
-[[nodiscard]] std::vector<Eigen::Vector3d> in_space(const std::vector<Vector>& vectors) {
-  std::vector<Eigen::Vector3d> out;
-  out.reserve(vectors.size());
-  for (const Vector& v : vectors) out.push_back(in_space(v));
-  return out;
 }
 
 }  // namespace gjkscope

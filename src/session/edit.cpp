@@ -21,14 +21,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-Eigen::Matrix2d rotation(double degrees) {
-  // A shape that is not turned keeps its digits.
-  if (degrees == 0.0) return Eigen::Matrix2d::Identity();
-  // Rounded from more digits, as those of poses.
-  const long double angle = degrees * std::numbers::pi / 180.0;
-  const auto c = static_cast<double>(std::cos(angle));
-  const auto s = static_cast<double>(std::sin(angle));
-  return Eigen::Matrix2d{{c, -s}, {s, c}};
+using Eigen::Vector3d;
+
+/// A shape that is not turned keeps its digits.
+Eigen::Matrix3d rotation(double degrees, const Vector3d& axis) {
+  if (degrees == 0.0) return Eigen::Matrix3d::Identity();
+  return turn_of({Vector3d::Zero(), degrees, axis});
 }
 
 LessonMotion* motion_of(Lesson& lesson, std::size_t body) {
@@ -70,53 +68,54 @@ std::string free_name(const Lesson& lesson, std::size_t body) {
 
 }  // namespace
 
-Vector2d to_local(const Placement& placement, const Vector2d& world) {
-  return rotation(-placement.rotate_degrees) * (world - placement.translate);
+Vector3d to_local(const Placement& placement, const Vector3d& world) {
+  return rotation(-placement.rotate_degrees, placement.axis) * (world - placement.translate);
 }
 
 void put_vertex(Lesson& lesson, std::size_t body, int index, const Placement& placement,
-                const Vector2d& world) {
+                const Vector3d& world) {
   lesson.bodies[body].vertices[static_cast<std::size_t>(index)] = to_local(placement, world);
 }
 
-void move_shape(Lesson& lesson, std::size_t body, const Vector2d& by) {
+void move_shape(Lesson& lesson, std::size_t body, const Vector3d& by) {
   if (LessonMotion* motion = motion_of(lesson, body)) {
-    for (Vector2d& point : motion->points) point += by;
+    for (Vector3d& point : motion->points) point += by;
     return;
   }
   LessonShape& shape = lesson.bodies[body];
   // A shape at rest at its own origin stays there: its vertices are what the reader sees.
   if (shape.translate.isZero() && shape.rotate_degrees == 0.0) {
-    for (Vector2d& vertex : shape.vertices) vertex += by;
+    for (Vector3d& vertex : shape.vertices) vertex += by;
   } else {
     shape.translate += by;
   }
 }
 
 void nudge(Lesson& lesson, std::size_t body, int index, const PositionedRun& now,
-           const Vector2d& by) {
+           const Vector3d& by) {
   const auto& world = now.bodies[body].world;
   if (index < 0 || world.size() == 1) return move_shape(lesson, body, by);
   put_vertex(lesson, body, index, now.bodies[body].placement,
-             in_plane(world[static_cast<std::size_t>(index)]) + by);
+             world[static_cast<std::size_t>(index)] + by);
 }
 
 void turn_shape(Lesson& lesson, std::size_t body, double degrees) {
   LessonShape& shape = lesson.bodies[body];
-  const Vector2d middle = centroid(shape.vertices);
-  const Vector2d stays =
-      (rotation(shape.rotate_degrees) - rotation(shape.rotate_degrees + degrees)) * middle;
+  const Vector3d middle = middle_of(shape.vertices);
+  const Vector3d stays = (rotation(shape.rotate_degrees, shape.axis) -
+                          rotation(shape.rotate_degrees + degrees, shape.axis)) *
+                         middle;
   shape.rotate_degrees = std::remainder(shape.rotate_degrees + degrees, 360.0);
   if (LessonMotion* motion = motion_of(lesson, body)) {
     for (double& turn : motion->turns) turn += degrees;
-    for (Vector2d& point : motion->points) point += stays;
+    for (Vector3d& point : motion->points) point += stays;
   } else {
     shape.translate += stays;
   }
 }
 
 int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& placement,
-                  const Vector2d& world) {
+                  const Vector3d& world) {
   const std::string name = free_name(lesson, body);
   LessonShape& shape = lesson.bodies[body];
   const int index = edge + 1;
@@ -163,7 +162,7 @@ std::vector<Vector2d> regular_polygon(int corners) {
 void reshape(Lesson& lesson, std::size_t body, const std::vector<Vector2d>& unit) {
   const auto box_of = [&](std::size_t of) {
     Eigen::AlignedBox2d box;
-    for (const Vector2d& vertex : lesson.bodies[of].vertices) box.extend(vertex);
+    for (const Vector3d& vertex : lesson.bodies[of].vertices) box.extend(in_plane(vertex));
     return box;
   };
   const Vector2d center = box_of(body).center();
@@ -173,7 +172,7 @@ void reshape(Lesson& lesson, std::size_t body, const std::vector<Vector2d>& unit
   LessonShape& shape = lesson.bodies[body];
   shape.outlines.clear();
   shape.vertices.clear();
-  for (const Vector2d& vertex : unit) shape.vertices.emplace_back(center + radius * vertex);
+  for (const Vector2d& vertex : unit) shape.vertices.push_back(in_space(Vector2d(center + radius * vertex)));
   if (shape.vertex_names.size() > unit.size()) shape.vertex_names.resize(unit.size());
   constexpr std::size_t kMostNamed = 99;  // names have up to three characters
   if (unit.size() > kMostNamed) {
@@ -217,7 +216,8 @@ void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t se
   constexpr double kFarthest = 1.5;
   const double across = kFarthest * place();
   const double up = kFarthest * place();
-  move_shape(lesson, 1, x.center() + reach * Vector2d(across, up) - y.center());
+  move_shape(lesson, 1,
+             in_space(Vector2d(x.center() + reach * Vector2d(across, up) - y.center())));
 }
 
 std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,

@@ -17,25 +17,25 @@ namespace gjkscope::edit {
 inline constexpr std::size_t kMostEditable = 256;
 
 /// From the world to the frame of a shape that stands at `placement`.
-[[nodiscard]] Eigen::Vector2d to_local(const Placement& placement, const Eigen::Vector2d& world);
+[[nodiscard]] Eigen::Vector3d to_local(const Placement& placement, const Eigen::Vector3d& world);
 
 /// Puts vertex `index` of the shape, which stands at `placement`, where `world` is.
 void put_vertex(Lesson& lesson, std::size_t body, int index, const Placement& placement,
-                const Eigen::Vector2d& world);
+                const Eigen::Vector3d& world);
 
 /// Moves a shape; where a path or a motion places it, all of that.
-void move_shape(Lesson& lesson, std::size_t body, const Eigen::Vector2d& by);
+void move_shape(Lesson& lesson, std::size_t body, const Eigen::Vector3d& by);
 
 /// Moves a vertex, or the shape where `index` is below 0; `now`: where the bodies are.
 void nudge(Lesson& lesson, std::size_t body, int index, const PositionedRun& now,
-           const Eigen::Vector2d& by);
+           const Eigen::Vector3d& by);
 
 /// Turns a shape about the middle of its vertices.
 void turn_shape(Lesson& lesson, std::size_t body, double degrees);
 
 /// Inserts a vertex after vertex `edge`; returns its index. It gets a name that is not taken.
 int insert_vertex(Lesson& lesson, std::size_t body, int edge, const Placement& placement,
-                  const Eigen::Vector2d& world);
+                  const Eigen::Vector3d& world);
 
 /// Takes a vertex away, unless it is the last one. First simplices that name it are forgotten, and
 /// so are the support points that the lesson expects.
@@ -76,6 +76,6 @@ struct NearestEdge {
 };
 [[nodiscard]] std::optional<NearestEdge> nearest_edge(const std::vector<Eigen::Vector2d>& vertices,
                                                       const std::vector<VertexRange>& outlines,
-                                                      const Eigen::Vector2d& world);
+                                                      const Eigen::Vector3d& world);
 
 }  // namespace gjkscope::edit

@@ -17,11 +17,14 @@ namespace gjkscope {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using Kind = Subject::Kind;
 
 constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
 constexpr double kHandleAway = 40.0;  // of the handle from its shape, frame pixels
 constexpr double kHandleRadius = 11.0;
+constexpr double kAcross = 20.0;           // degrees above the ground
+constexpr double kDegreesPerPixel = 0.4;  // of a hand that turns a view
 constexpr double kDegrees = 15.0;  // a step of a shape that is turned by round numbers
 
 /// Below 1 the grid is divided by how many make 1: 0.3 is the double that is nearest to it, and 3
@@ -62,6 +65,21 @@ Vector2d snapped(const Vector2d& value, const Vector2d& grid) {
   return {snapped(value.x(), grid.x()), snapped(value.y(), grid.y())};
 }
 
+Vector3d along_screen(const Camera& camera, const Vector2d& right_and_up) {
+  if (!camera.eye) return in_space(right_and_up);
+  return axes_of(*camera.eye).topRows<2>().transpose() * right_and_up;
+}
+
+std::optional<Eye> eye_from(std::string_view side, const LessonRun& run, const Frame& frame) {
+  if (side == kSides[0]) return Eye{0.0, 0.0};
+  if (side == kSides[1]) return Eye{90.0, 0.0};
+  if (side == kSides[2]) return Eye{0.0, 90.0};
+  if (side != kSides[3]) return std::nullopt;
+  const Vector3d d = run.state(frame).d;
+  const WideResult& result = run.run(frame).trace.result;
+  return eye_across(d.norm() > 0.0 ? d : Vector3d(result.y - result.x), kAcross);
+}
+
 std::optional<std::size_t> Hand::view_at(const Point& page) const {
   const std::vector<LessonPictures::ShownView> views = session_.views();
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -70,11 +88,12 @@ std::optional<std::size_t> Hand::view_at(const Point& page) const {
   return std::nullopt;
 }
 
-Vector2d Hand::to_view(std::size_t view, const Point& page) const {
+Vector3d Hand::to_view(std::size_t view, const Point& page) const {
   const LessonPictures::ShownView shown = session_.views()[view];
   const Point off = page - shown.card.center();
-  return shown.camera.center + shown.camera.units_per_pixel(shown.card.size().y())
-                                   .cwiseProduct(Vector2d(off.x(), -off.y()));
+  const Vector2d right_and_up = shown.camera.units_per_pixel(shown.card.size().y())
+                                    .cwiseProduct(Vector2d(off.x(), -off.y()));
+  return shown.camera.center + along_screen(shown.camera, right_and_up);
 }
 
 Subject Hand::subject_at(const Point& page, double slack) const {
@@ -99,7 +118,9 @@ std::optional<Point> Hand::handle() const {
   const std::vector<LessonPictures::ShownView> views = session_.views();
   const auto view = std::find_if(views.begin(), views.end(),
                                  [](const auto& each) { return each.kind == ViewKind::world; });
-  if (world.size() < 2 || view == views.end()) return std::nullopt;
+  // A turn in space has an axis, which a handle does not show.
+  const bool is_plane = session_.lesson().dimension == 2;
+  if (world.size() < 2 || view == views.end() || !is_plane) return std::nullopt;
   const StageMap map(view->card, view->camera);
   Rect box{map(world.front()), map(world.front())};
   for (const Eigen::Vector3d& vertex : world)
@@ -139,7 +160,8 @@ std::vector<Mark> Hand::handle_marks() const {
 std::optional<Hand::WithVertex> Hand::with_vertex(const Point& page, bool snaps) const {
   const std::optional<std::size_t> view = view_at(page);
   if (!view || session_.views()[*view].kind != ViewKind::world) return std::nullopt;
-  const Vector2d at = to_view(*view, page);
+  if (session_.lesson().dimension == 3) return std::nullopt;  // a polyhedron has no edge to split
+  const Vector2d at = in_plane(to_view(*view, page));
   const LessonPictures::ShownView shown = session_.views()[*view];
   const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();
   const PositionedRun& run = session_.run().run(session_.frame());
@@ -158,7 +180,7 @@ std::optional<Hand::WithVertex> Hand::with_vertex(const Point& page, bool snaps)
   }
   const Vector2d grid = snaps ? round_step(*view) : Vector2d::Zero();
   const int index = edit::insert_vertex(added.lesson, body, edge->edge, run.bodies[body].placement,
-                                        snapped(at, grid));
+                                        in_space(snapped(at, grid)));
   added.vertex = vertex_of(body, index);
   return added;
 }
@@ -174,7 +196,9 @@ bool Hand::press(const Subject& subject, const Point& page, double handle_slack)
     const bool is_of_shapes = is_vertex(taken.subject) || is_shape(taken.subject);
     selected = is_of_shapes ? taken.subject : Subject{};
     const bool in_world = session_.views()[*view].kind == ViewKind::world;
-    if (!(in_world ? is_of_shapes : is_of_difference(taken.subject))) return false;
+    const bool moves = in_world ? is_of_shapes : is_of_difference(taken.subject);
+    taken.walks = !moves && session_.views()[*view].camera.eye.has_value();
+    if (!moves && !taken.walks) return false;
   }
   held_ = taken;
   return true;
@@ -190,15 +214,26 @@ bool Hand::move(const Point& page, bool snaps) {
   }
   Held& held = *held_;
   held.moved = true;
-  const Vector2d before = to_view(held.view, held.last);
-  const Vector2d now = to_view(held.view, page);
-  const Vector2d grid = snaps ? round_step(held.view) : Vector2d::Zero();
+  if (held.walks) {
+    const Point by = kDegreesPerPixel * (page - held.last);
+    const Eye eye = *session_.eye();
+    session_.set_eye({eye.azimuth - by.x(), eye.elevation + by.y()});
+    held.last = page;
+    return true;
+  }
+  const Vector3d before = to_view(held.view, held.last);
+  const Vector3d now = to_view(held.view, page);
+  const bool is_plane = session_.lesson().dimension == 2;
+  const Vector2d grid = snaps && is_plane ? round_step(held.view) : Vector2d::Zero();
+  const auto on_grid = [&](const Vector3d& place) {
+    return is_plane ? in_space(snapped(in_plane(place), grid)) : place;
+  };
   const std::size_t body = body_of(held.subject);
   const Body& shape = session_.run().run(session_.frame()).bodies[body];
   double degrees = 0.0;
   if (held.turns) {
     const Vector2d middle = centroid(in_plane(shape.world));
-    degrees = degrees_between(before - middle, now - middle);
+    degrees = degrees_between(in_plane(before) - middle, in_plane(now) - middle);
     if (snaps) degrees = snapped(degrees, kDegrees);
     if (degrees == 0.0) return true;
   }
@@ -213,11 +248,14 @@ bool Hand::move(const Point& page, bool snaps) {
       edit::move_shape(lesson, body, now - before);  // Z = Y - X goes where Y goes
     } else if (is_shape(held.subject)) {
       edit::move_shape(lesson, body,
-                       snapped(now - held.start, grid) - snapped(before - held.start, grid));
-    } else if (shape.world.size() == 1) {
-      edit::move_shape(lesson, body, snapped(now, grid) - in_plane(shape.world.front()));
+                       on_grid(now - held.start) - on_grid(before - held.start));
     } else {
-      edit::put_vertex(lesson, body, index_of(held.subject), shape.placement, snapped(now, grid));
+      const auto index = static_cast<std::size_t>(index_of(held.subject));
+      const Vector3d& at = shape.world[index];
+      const Vector3d to = is_plane ? on_grid(now) : Vector3d(at + now - before);
+      shape.world.size() == 1
+          ? edit::move_shape(lesson, body, to - at)
+          : edit::put_vertex(lesson, body, index_of(held.subject), shape.placement, to);
     }
   });
   held.last = page;

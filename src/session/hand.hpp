@@ -2,7 +2,9 @@
 // The hand on a picture: what lies under it, what it takes, and where that goes. Window and page
 // tell it where their pointers are, in frame pixels of the session's page.
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "session/session.hpp"
@@ -11,6 +13,17 @@ namespace gjkscope {
 
 /// The nearest multiples of round numbers; 0 leaves a coordinate as it is.
 [[nodiscard]] Eigen::Vector2d snapped(const Eigen::Vector2d& value, const Eigen::Vector2d& grid);
+
+/// A way in the world that goes right and up on the screen.
+[[nodiscard]] Eigen::Vector3d along_screen(const Camera& camera,
+                                           const Eigen::Vector2d& right_and_up);
+
+/// Sides from which space is seen: along y, along x, along z, and across the frame's d.
+inline constexpr std::array<std::string_view, 4> kSides = {"front", "side", "top", "across d"};
+/// The eye on one of these sides; nothing for any other name. Where there is no d yet, it looks
+/// across the shortest way between the shapes.
+[[nodiscard]] std::optional<Eye> eye_from(std::string_view side, const LessonRun& run,
+                                          const Frame& frame);
 
 class Hand {
  public:
@@ -23,7 +36,8 @@ class Hand {
   // Places
 
   [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
-  [[nodiscard]] Eigen::Vector2d to_view(std::size_t view, const Point& page) const;
+  /// In space the place under `page` in the plane through the camera's centre that faces the eye.
+  [[nodiscard]] Eigen::Vector3d to_view(std::size_t view, const Point& page) const;
   [[nodiscard]] Subject subject_at(const Point& page, double slack = kSlack) const;
   /// The vertex whose name appears: what is pointed at, or else what is near.
   [[nodiscard]] Subject named_at(const Point& page, const Subject& pointed) const;
@@ -53,7 +67,8 @@ class Hand {
   // Drags
 
   /// Takes the handle if it is there, else the subject, and selects that if it is a vertex or a
-  /// shape. False where the subject cannot be moved.
+  /// shape; in space, else the ground, which turns the views. False where there is nothing to
+  /// take.
   bool press(const Subject& subject, const Point& page, double handle_slack = kSlack);
   /// Whether something is held.
   [[nodiscard]] bool holds() const { return held_.has_value(); }
@@ -70,9 +85,10 @@ class Hand {
     Subject subject;
     std::size_t view = 0;
     Point last;
-    Eigen::Vector2d start;  ///< In the view.
+    Eigen::Vector3d start;  ///< In the view.
     long version = 0;       ///< The lesson's, when it was taken.
     bool turns = false;
+    bool walks = false;  ///< The eye, around all that is shown.
     bool moved = false;
   };
 

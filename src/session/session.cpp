@@ -33,7 +33,7 @@ std::size_t weight(const Lesson& lesson) {
 /// The lesson's camera that makes `seen` of it in `card`: a page may widen a lesson's camera.
 Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const Camera& seen) {
   view.camera = Camera{seen.center, 1.0};
-  return {seen.center, seen.height / camera_of(run, view, card).height, seen.stretch};
+  return {seen.center, seen.height / camera_of(run, view, card).height, seen.stretch, {}};
 }
 
 Sight sight(const Camera& camera, const Rect& card) {
@@ -436,8 +436,9 @@ Lesson Session::lesson_as_seen() const {
   Lesson lesson = lesson_;
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < lesson.views.size(); ++i) {
-    if (sights_[i])
-      lesson.views[i].camera = camera_for(run(), lesson.views[i], seen[i].card, seen[i].camera);
+    if (!sights_[i]) continue;
+    lesson.views[i].eye = seen[i].camera.eye;
+    lesson.views[i].camera = camera_for(run(), lesson.views[i], seen[i].card, seen[i].camera);
   }
   return lesson;
 }
@@ -779,6 +780,27 @@ void Session::set_camera(std::size_t view, const Camera& camera) {
   lay_out(LabelScope::frame);
 }
 
+void Session::set_eye(const Eye& eye) {
+  const std::vector<LessonPictures::ShownView> seen = views();
+  bool is_other = false;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    Camera camera = seen[i].camera;
+    if (!camera.eye) continue;
+    camera.eye = Eye{std::remainder(eye.azimuth, 360.0),
+                     std::clamp(eye.elevation, -limits::kUpright, limits::kUpright)};
+    is_other = is_other || camera.eye != seen[i].camera.eye;
+    sights_[i] = sight(camera, seen[i].card);
+  }
+  if (is_other) lay_out(LabelScope::frame);
+}
+
+std::optional<Eye> Session::eye() const {
+  for (const LessonPictures::ShownView& view : views()) {
+    if (view.camera.eye) return view.camera.eye;
+  }
+  return std::nullopt;
+}
+
 void Session::hold_cameras() {
   if (!shown_) return;
   const std::vector<LessonPictures::ShownView> seen = views();
@@ -815,7 +837,8 @@ bool Session::is_difference_in_sight(const LessonPictures::ShownView& view) cons
   for (const Eigen::Vector2d& vertex : in_plane(shapes.y().world)) y.extend(vertex);
   const Eigen::Vector2d half =
       0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
-  const Eigen::AlignedBox2d sight(view.camera.center - half, view.camera.center + half);
+  const Eigen::Vector2d center = in_plane(view.camera.center);
+  const Eigen::AlignedBox2d sight(center - half, center + half);
   return sight.contains(Eigen::AlignedBox2d(y.min() - x.max(), y.max() - x.min()));
 }
 

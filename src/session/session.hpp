@@ -216,6 +216,11 @@ class Session {
   [[nodiscard]] std::vector<LessonPictures::ShownView> views() const;
   /// Sets the camera of a view, for this window: it is not part of the lesson and its history.
   void set_camera(std::size_t view, const Camera& camera);
+  /// Sees all views of space from another side; nothing of the plane changes. Elevations beyond
+  /// ±90 degrees end there.
+  void set_eye(const Eye& eye);
+  /// The eye of the first view of space; none in the plane.
+  [[nodiscard]] std::optional<Eye> eye() const;
   /// All views fit what they show again.
   void fit();
   [[nodiscard]] EffectGraph& effects();

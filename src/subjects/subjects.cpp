@@ -26,15 +26,21 @@ Vocabulary make_vocabulary() {
   }
   out.keys = lesson_keys(out.acts);
   for (const Block* block : registered_blocks())
-    out.blocks.push_back({block->name, block->act, block->table, block->takes_listing});
+    out.blocks.push_back({.name = block->name,
+                          .act = block->act,
+                          .table = block->table,
+                          .takes_listing = block->takes_listing,
+                          .in_space = block->in_space});
   for (const Listing* listing : registered_listings())
-    out.listings.push_back({listing->name, listing->act});
+    out.listings.push_back(
+        {.name = listing->name, .act = listing->act, .in_space = listing->in_space});
   for (const EffectInfo* effect : registered_effects()) {
     if (effect->used_by == "view")
       out.effects.push_back({.name = effect->name,
                              .act = effect->act,
                              .table = effect->table,
-                             .pairs_vertices = pulls(*effect, MinkowskiCloud::kName)});
+                             .pairs_vertices = pulls(*effect, MinkowskiCloud::kName),
+                             .in_space = effect->in_space});
   }
   return out;
 }

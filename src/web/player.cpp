@@ -119,6 +119,7 @@ std::string Player::answer(std::string_view request) {
       {"vertex", [](Player& p, const Asked& a) { p.put_vertex(a); }},
       {"add", [](Player& p, const Asked& a) { p.add_vertex(a); }},
       {"nudge", [](Player& p, const Asked& a) { p.nudge(a); }},
+      {"eye", [](Player& p, const Asked& a) { p.set_eye(a); }},
       {"numerics", [](Player& p, const Asked& a) { p.set_numerics(a); }},
       {"listing", [](Player& p, const Asked& a) { p.set_language(a); }},
       {"undo", [](Player& p, const Asked&) { p.session_.undo(Session::Cameras::as_then); }},
@@ -378,12 +379,12 @@ void Player::put_vertex(const Asked& asked) {
   const std::size_t body = asked.shape();
   const int index = asked.whole("index");
   Lesson lesson = session_.lesson();
-  std::vector<Vector2d>& vertices = lesson.bodies[body].vertices;
+  std::vector<Eigen::Vector3d>& vertices = lesson.bodies[body].vertices;
   if (index < 0 || index >= static_cast<int>(vertices.size()))
     throw no_vertex(index, vertices.size());
   const std::string& name = lesson.bodies[body].vertex_names[static_cast<std::size_t>(index)];
-  Vector2d& vertex = vertices[static_cast<std::size_t>(index)];
-  for (const auto& [axis, key] : {std::pair(0, "x"), {1, "y"}}) {
+  Eigen::Vector3d& vertex = vertices[static_cast<std::size_t>(index)];
+  for (const auto& [axis, key] : {std::pair(0, "x"), {1, "y"}, {2, "z"}}) {
     if (asked.json.contains(key))
       vertex[axis] = coordinate(asked.text(key), fmt::format("{} of {}", key, name));
   }
@@ -406,14 +407,33 @@ void Player::nudge(const Asked& asked) {
   const int index = asked.whole("index");
   const std::vector<LessonPictures::ShownView> views = session_.views();
   const LessonPictures::ShownView& view = views.front();
-  const Vector2d by = view.camera.units_per_pixel(view.card.size().y())
-                          .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
+  const Vector2d right_and_up =
+      view.camera.units_per_pixel(view.card.size().y())
+          .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
+  const Eigen::Vector3d by = along_screen(view.camera, right_and_up);
   const PositionedRun& run = session_.run().run(session_.frame());
   const std::size_t count = run.bodies[body].world.size();
   if (index >= static_cast<int>(count)) throw no_vertex(index, count);
   Lesson lesson = session_.lesson();
   edit::nudge(lesson, body, index, run, by);
   change("move", lesson);
+}
+
+/// By degrees from where it stands, or to one side: "front", "side", "top", or "across" d.
+void Player::set_eye(const Asked& asked) {
+  const std::optional<Eye> now = session_.eye();
+  if (!now) throw std::runtime_error("the lesson is in the plane, which has one side to be seen");
+  if (!asked.json.contains("to")) {
+    return session_.set_eye(
+        {now->azimuth + asked.real("azimuth"), now->elevation + asked.real("elevation")});
+  }
+  const std::string to = asked.text("to");
+  const std::optional<Eye> eye = eye_from(to, session_.run(), session_.frame());
+  if (!eye) {
+    throw std::runtime_error(fmt::format("there is no side '{}'; expected one of: {}", to,
+                                         fmt::join(kSides, ", ")));
+  }
+  session_.set_eye(*eye);
 }
 
 void Player::set_language(const Asked& asked) {

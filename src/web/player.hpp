@@ -51,6 +51,7 @@ class Player {
   void put_vertex(const Asked& asked);
   void add_vertex(const Asked& asked);
   void nudge(const Asked& asked);
+  void set_eye(const Asked& asked);
   void set_numerics(const Asked& asked);
   void set_language(const Asked& asked);
   [[nodiscard]] std::string linked(const Point& at);

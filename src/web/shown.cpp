@@ -128,11 +128,13 @@ Json outcome(Session& session) {
   return list;
 }
 
-Json shape_json(const LessonShape& shape) {
+Json shape_json(const LessonShape& shape, int dimension) {
   Json vertices = Json::array();
-  for (const Vector2d& v : shape.vertices) {
-    vertices.push_back({fmt::format("{}", v.x()), fmt::format("{}", v.y()), hexadecimal(v.x()),
-                        hexadecimal(v.y())});
+  for (const Eigen::Vector3d& v : shape.vertices) {
+    Json vertex = Json::array();
+    for (int i = 0; i < dimension; ++i) vertex.push_back(fmt::format("{}", v[i]));
+    for (int i = 0; i < dimension; ++i) vertex.push_back(hexadecimal(v[i]));
+    vertices.push_back(std::move(vertex));
   }
   return {{"name", shape.name}, {"names", shape.vertex_names}, {"vertices", std::move(vertices)}};
 }
@@ -140,9 +142,9 @@ Json shape_json(const LessonShape& shape) {
 /// The names of shapes that GJK knows by their hulls alone.
 Json not_convex(const LessonRun& run) {
   Json names = Json::array();
-  if (run.act->algorithm->takes_outlines) return names;
+  if (run.act->algorithm->takes_outlines || run.lesson.dimension == 3) return names;
   for (const LessonShape* shape : {&run.lesson.x(), &run.lesson.y()}) {
-    if (differs_from_hull(shape->vertices)) names.push_back(shape->name);
+    if (differs_from_hull(in_plane(shape->vertices))) names.push_back(shape->name);
   }
   return names;
 }
@@ -222,7 +224,7 @@ void Player::draw_depth(Picture& picture) {
 /// The vertices of both shapes, however many; `shown` leaves out those that are too long to list.
 std::string Player::all_vertices() const {
   const Lesson& lesson = session_.lesson();
-  return dumped({{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}});
+  return dumped({{"x", shape_json(lesson.x(), lesson.dimension)}, {"y", shape_json(lesson.y(), lesson.dimension)}});
 }
 
 /// The whole file of which the listing is a part.
@@ -334,6 +336,7 @@ std::string Player::shown(const std::string& understood) {
     for (const VertexChoice& half : question->pair)
       out["question"]["pair"].push_back({{"of", half.shape}, {"vertices", half.vertices}});
   }
+  if (session_.eye()) out["sides"] = kSides;
   if (!understood.empty()) out["understood"] = understood;
   out["predicting"] = session_.is_predicting();
   if (!session_.answers().empty()) {
@@ -354,7 +357,7 @@ std::string Player::shown(const std::string& understood) {
                     {"direction", names_of<gjk::DirectionRule>()},
                     {"regions", names_of<gjk::RegionOrder>()}};
   if (std::max(lesson.x().vertices.size(), lesson.y().vertices.size()) <= edit::kMostEditable)
-    out["shapes"] = {{"x", shape_json(lesson.x())}, {"y", shape_json(lesson.y())}};
+    out["shapes"] = {{"x", shape_json(lesson.x(), lesson.dimension)}, {"y", shape_json(lesson.y(), lesson.dimension)}};
   return dumped(out);
 }
 

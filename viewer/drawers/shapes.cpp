@@ -17,6 +17,7 @@ namespace gjkscope {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 struct Kit {
   int corners = 6;
@@ -108,30 +109,32 @@ void draw_radius(App& app, std::size_t body) {
   app.edit(fmt::format("radius of {}", kBodyKeys[body]), std::move(lesson));
 }
 
-/// Whether two fields beside each other show all digits of each coordinate.
-bool fit_beside(const App& app, const std::vector<Vector2d>& vertices, float room) {
+/// Whether fields beside each other, one for each coordinate, show all digits.
+bool fit_beside(const App& app, const std::vector<Vector3d>& vertices, int dimension, float room) {
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float field = 0.5f * (room - style.ItemSpacing.x) - 2.0f * style.FramePadding.x;
-  return std::all_of(vertices.begin(), vertices.end(), [&](const Vector2d& vertex) {
-    return std::max(ImGui::CalcTextSize(number_text(vertex.x(), app.hexadecimal).c_str()).x,
-                    ImGui::CalcTextSize(number_text(vertex.y(), app.hexadecimal).c_str()).x) <=
-           field;
+  const auto count = static_cast<float>(dimension);
+  const float field =
+      (room - (count - 1.0f) * style.ItemSpacing.x) / count - 2.0f * style.FramePadding.x;
+  return std::all_of(vertices.begin(), vertices.end(), [&](const Vector3d& vertex) {
+    return std::all_of(vertex.begin(), vertex.begin() + dimension, [&](double value) {
+      return ImGui::CalcTextSize(number_text(value, app.hexadecimal).c_str()).x <= field;
+    });
   });
 }
 
-/// The coordinates of a vertex in two fields, side by side or one below the other; where one was
-/// typed, the vertex it makes.
-std::optional<Vector2d> edit_vertex(App& app, const Vector2d& vertex, bool beside) {
-  std::optional<Vector2d> typed;
+/// The coordinates of a vertex in fields, side by side or one below the other; where one was typed,
+/// the vertex it makes.
+std::optional<Vector3d> edit_vertex(App& app, const Vector3d& vertex, int dimension, bool beside) {
+  std::optional<Vector3d> typed;
   ImGui::SameLine();
   const float begin = ImGui::GetCursorPosX();
-  for (int axis = 0; axis < 2; ++axis) {
-    if (axis == 1 && beside) ImGui::SameLine();
-    if (axis == 1 && !beside) ImGui::SetCursorPosX(begin);
+  for (int axis = 0; axis < dimension; ++axis) {
+    if (axis > 0 && beside) ImGui::SameLine();
+    if (axis > 0 && !beside) ImGui::SetCursorPosX(begin);
     ImGui::PushID(axis);
     const float rest = ImGui::GetContentRegionAvail().x;
-    const float width =
-        axis == 0 && beside ? 0.5f * (rest - ImGui::GetStyle().ItemSpacing.x) : rest;
+    const auto left = static_cast<float>(beside ? dimension - axis : 1);  // fields on this line
+    const float width = (rest - (left - 1.0f) * ImGui::GetStyle().ItemSpacing.x) / left;
     if (const std::optional<double> read = edit_number(app, vertex[axis], width)) {
       typed = vertex;
       (*typed)[axis] = *read;
@@ -148,10 +151,11 @@ void draw_shape(App& app, std::size_t body, Kit& kit) {
   draw_radius(app, body);
   const LessonShape& shape = app.session().lesson().bodies[body];
   if (shape.vertices.size() > edit::kMostEditable) return ImGui::TextDisabled("too many to list");
-  std::optional<std::pair<std::size_t, Vector2d>> typed;
+  const int dimension = app.session().lesson().dimension;
+  std::optional<std::pair<std::size_t, Vector3d>> typed;
   const auto name_width = static_cast<float>(36.0 * app.ui_scale());
   const bool beside =
-      fit_beside(app, shape.vertices,
+      fit_beside(app, shape.vertices, dimension,
                  ImGui::GetContentRegionAvail().x - name_width - ImGui::GetStyle().ItemSpacing.x);
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
     const int index = static_cast<int>(i);
@@ -165,7 +169,8 @@ void draw_shape(App& app, std::size_t body, Kit& kit) {
       app.picture().hand().selected = subject;
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) app.pointed_in_panel = subject;
-    if (const std::optional<Vector2d> vertex = edit_vertex(app, shape.vertices[i], beside))
+    if (const std::optional<Vector3d> vertex =
+            edit_vertex(app, shape.vertices[i], dimension, beside))
       typed = {i, *vertex};
     ImGui::PopID();
   }

@@ -61,7 +61,9 @@ const Act kWitness{
     .meaning =
         "part of each answer: P, its weights on the vertices of Y, on those of X, "
         "the distance",
-    .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
+    .needs = {.takes_radius = true,
+              .in_space = true,
+              .why_no_until = "frames show how the run ends"},
     .add_frames = witness_frames,
     .asks = asks::kOfAnswers,
     .answering_step = witness_answer,

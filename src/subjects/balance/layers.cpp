@@ -39,8 +39,8 @@ void balance(SceneBuilder& scene) {
   const Balance::Value& value = scene.effects.get<Balance>(scene.frame);
   if (value.moments.empty()) return;
   const Beam& beam = value.moments[*beam_moment(scene.run, scene.frame)];
-  const Vector2d a = in_plane(scene.state.simplex.vertices[0].w) + scene.shift;
-  const Vector2d along = in_plane(scene.state.simplex.vertices[1].w) + scene.shift - a;
+  const Vector2d a = in_plane(scene.state.simplex.vertices[0].w) + in_plane(scene.shift);
+  const Vector2d along = in_plane(scene.state.simplex.vertices[1].w) + in_plane(scene.shift) - a;
   Vector2d up(-along.y(), along.x());
   if (up.y() < 0.0) up = -up;
   // Positions beside the segment in its own unit: along it, and upwards from the beam's level.

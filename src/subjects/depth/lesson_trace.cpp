@@ -181,9 +181,11 @@ class Told : public AlgorithmTrace {
 
 std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const PositionedRun& run,
                                                 const AlgorithmTrace*) {
-  return with_query(lesson, placements_of(run), [&]<class S>(const gjk::Query<S, 2>& query) {
-    return std::make_shared<const Told>(
-        widened(depth::trace<S>(query, started_as(run, lesson.options))));
+  return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
+    return with_query_in<S, 2>(lesson, placements_of(run), [&](const gjk::Query<S, 2>& query) {
+      return std::make_shared<const Told>(
+          widened(depth::trace<S>(query, started_as(run, lesson.options))));
+    });
   });
 }
 

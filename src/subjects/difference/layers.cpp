@@ -3,10 +3,12 @@
 #include <vector>
 
 #include "outlines/polygon.hpp"
+#include "picture/solid.hpp"
 #include "run/facts.hpp"
 #include "subjects/difference/act.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/difference/subject.hpp"
+#include "subjects/space/solids.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -79,10 +81,22 @@ class CloudDots {
   std::vector<bool> taken_;
 };
 
+void difference_in_space(SceneBuilder& scene, bool wants_hull, bool wants_cloud) {
+  const DifferenceSolid::Value& z = scene.effects.get<DifferenceSolid>(scene.frame);
+  if (wants_hull) {
+    draw_solid(scene, z.hull, z.points, hull_is_ghost(scene) ? "hull.ghost" : "hull",
+               {Subject::Kind::difference});
+  }
+  if (!wants_cloud) return;
+  CloudDots dots(scene, scene.mapped(z.points), z.points.size());
+  for (std::size_t i = 0; i < z.points.size(); ++i) dots.draw(scene.at(z.points[i]), z.pairs[i]);
+}
+
 void difference(SceneBuilder& scene) {
   const bool wants_hull = scene.shows(MinkowskiHull::kName);
   const bool wants_cloud = scene.shows(MinkowskiCloud::kName);
   if (!wants_hull && !wants_cloud) return;
+  if (scene.map.is_of_space()) return difference_in_space(scene, wants_hull, wants_cloud);
   const auto build = build_frame(scene.run, scene.frame);
   if (wants_hull && (!build || build->part >= BuildPart::hull)) {
     std::vector<Point> points;
@@ -296,7 +310,7 @@ void corner_names(SceneBuilder& scene) {
                                                !lesson.path_of_shapes->y().turns.empty());
   const auto build = build_frame(scene.run, scene.frame);
   const bool is_named = build && build->part < BuildPart::any;
-  if (is_named || turns) return;
+  if (is_named || turns || scene.map.is_of_space()) return;
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   constexpr std::size_t kMostNames = 16;  // more would hide what they name
   if (hull.size() > kMostNames) return;

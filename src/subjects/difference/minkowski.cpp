@@ -19,9 +19,9 @@ MinkowskiHull::Value MinkowskiHull::compute(EffectGraph&, const LessonRun& run,
 }
 
 const EffectInfo effect_infos::kMinkowskiCloud =
-    effect_info<MinkowskiCloud>("view", "every difference y - x");
+    also_in_space(effect_info<MinkowskiCloud>("view", "every difference y - x"));
 
 const EffectInfo effect_infos::kMinkowskiHull =
-    effect_info<MinkowskiHull>("view", "convex hull of the differences");
+    also_in_space(effect_info<MinkowskiHull>("view", "convex hull of the differences"));
 
 }  // namespace gjkscope

@@ -56,7 +56,7 @@ void grown_obstacle(SceneBuilder& scene) {
   scene.area("grown", grown);
   scene.outline(grown);
   const WideResult& result = scene.positioned.trace.result;
-  const Vector2d position = scene.positioned.x().placement.translate;
+  const Vector2d position = in_plane(scene.positioned.x().placement.translate);
   const Point p = scene.at(position);
   if (result.distance > 0.0 && scene.frame.question < 0) {
     // P of the difference, moved by where X stands.

@@ -26,8 +26,8 @@ LastPosition::Value LastPosition::compute(EffectGraph& graph, const LessonRun& r
   return Positions{in_plane(last.x().world),
                    in_plane(last.y().world),
                    hull_corners(graph, {.run = frame.run - 1}, Eigen::Vector2d::Zero()),
-                   now.x().placement.translate - last.x().placement.translate,
-                   now.y().placement.translate - last.y().placement.translate,
+                   in_plane(now.x().placement.translate - last.x().placement.translate),
+                   in_plane(now.y().placement.translate - last.y().placement.translate),
                    now.x().placement.rotate_degrees != last.x().placement.rotate_degrees ||
                        now.y().placement.rotate_degrees != last.y().placement.rotate_degrees};
 }
@@ -36,7 +36,7 @@ EffectKey GrownObstacle::key(const LessonRun&, const Frame& frame) { return {fra
 
 GrownObstacle::Value GrownObstacle::compute(EffectGraph& graph, const LessonRun& run,
                                             const Frame& frame) {
-  return hull_corners(graph, frame, run.run(frame).x().placement.translate);
+  return hull_corners(graph, frame, in_plane(run.run(frame).x().placement.translate));
 }
 
 const EffectInfo effect_infos::kLastPosition =

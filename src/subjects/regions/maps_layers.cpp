@@ -22,7 +22,7 @@ std::vector<Point> visible_part(const SceneBuilder& scene,
                                 const std::vector<HalfPlane>& half_planes) {
   std::vector<Vector2d> polygon = scene.map.visible();
   for (const HalfPlane& half_plane : half_planes)
-    polygon = clip(polygon, {half_plane.point + scene.shift, half_plane.normal});
+    polygon = clip(polygon, {half_plane.point + in_plane(scene.shift), half_plane.normal});
   std::vector<Point> points;
   for (const Vector2d& corner : polygon) points.push_back(scene.at(corner));
   return points;

@@ -49,13 +49,13 @@ void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
   for (int i = 0; i < simplex.count; ++i) {
     for (int j = i + 1; j < simplex.count; ++j) {
-      const Vector2d a = in_plane(simplex.vertices[i].w) + scene.shift;
-      const Vector2d b = in_plane(simplex.vertices[j].w) + scene.shift;
+      const Vector2d a = in_plane(simplex.vertices[i].w) + in_plane(scene.shift);
+      const Vector2d b = in_plane(simplex.vertices[j].w) + in_plane(scene.shift);
       const Vector2d edge = b - a;
       if (edge.norm() == 0.0) continue;
       Vector2d outwards = Vector2d(edge.y(), -edge.x()).normalized();
       const bool triangle = simplex.count == 3;
-      if (triangle && outwards.dot(in_plane(simplex.vertices[3 - i - j].w) + scene.shift - a) > 0.0)
+      if (triangle && outwards.dot(in_plane(simplex.vertices[3 - i - j].w) + in_plane(scene.shift) - a) > 0.0)
         outwards = -outwards;
       const auto face = static_cast<gjk::Face>(gjk::face_of(i) | gjk::face_of(j));
       for (const int vertex : {i, j}) {
@@ -81,7 +81,7 @@ void regions(SceneBuilder& scene) {
   for (const VoronoiRegions::Region& region : scene.effects.get<VoronoiRegions>(scene.frame)) {
     std::vector<Vector2d> polygon = scene.map.visible();
     for (const HalfPlane& half_plane : region.half_planes) {
-      polygon = clip(polygon, {half_plane.point + scene.shift, half_plane.normal});
+      polygon = clip(polygon, {half_plane.point + in_plane(scene.shift), half_plane.normal});
     }
     if (polygon.empty()) continue;
     std::vector<Point> points;

@@ -121,7 +121,7 @@ void simplex(PanelBuilder& panel) {
 
 }  // namespace
 
-const Block kSimplex{.name = "simplex", .meaning = "the vertices of the simplex", .write = simplex};
+const Block kSimplex{.name = "simplex", .meaning = "the vertices of the simplex", .write = simplex, .in_space = true};
 
 namespace {
 
@@ -152,7 +152,7 @@ void scan(PanelBuilder& panel) {
 }  // namespace
 
 const Block kScan{
-    .name = "scan", .meaning = "the support scan: each vertex and its dot product", .write = scan};
+    .name = "scan", .meaning = "the support scan: each vertex and its dot product", .write = scan, .in_space = true};
 
 namespace {
 
@@ -207,7 +207,7 @@ void bounds(PanelBuilder& panel) {
 }  // namespace
 
 const Block kBounds{
-    .name = "bounds", .meaning = "lower and upper bound of the distance", .write = bounds};
+    .name = "bounds", .meaning = "lower and upper bound of the distance", .write = bounds, .in_space = true};
 
 namespace {
 

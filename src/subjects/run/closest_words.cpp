@@ -18,6 +18,42 @@ bool names_coordinates(const Story& story) {
          (lesson.has_block(blocks::kTests.name) || lesson.has_block(blocks::kWeights.name));
 }
 
+/// The closest face of a simplex in space, by the weights that decide.
+std::string region_in_space(const Story& story, const gjk::RegionTest<double>& won) {
+  const gjk::Face face = story.state.region;
+  const WideSimplex& simplex = story.state.simplex;
+  const std::string name = story.words.kind_and_face(face);
+  const int size = gjk::vertex_count(face);
+  if (size == 1) {
+    return fmt::format("{0} lies in the Voronoi region of {1}: on the line of each edge at {1} it "
+                       "projects beyond {1}.",
+                       story.q, story.words.face(face));
+  }
+  if (face == simplex.all()) {
+    if (size == 4)
+      return fmt::format("{} lies inside the {}: all four weights are positive.", story.q, name);
+    return size == 3
+               ? fmt::format("{} projects into the {}: all three weights are positive.", story.q,
+                             name)
+               : fmt::format("{} projects between the ends of the {}: both weights are positive.",
+                             story.q, name);
+  }
+  for (const gjk::RegionTerm<double>& term : won.terms) {
+    if (term.wants_positive || gjk::vertex_count(term.face) != size + 1) continue;
+    const std::string opposite = story.words.vertex(term.vertex);
+    if (size == 3) {
+      return fmt::format("{} lies beyond the {}, seen from {} (volume fraction {}), and projects "
+                         "into it.",
+                         story.q, name, opposite, story.signed_weight(term));
+    }
+    const bool is_triangle = simplex.count == 3;
+    return fmt::format("{} lies in the region of the {}: it projects between its ends, and beyond "
+                       "it in {}.",
+                       story.q, name, is_triangle ? "the triangle" : "both faces at it");
+  }
+  return {};
+}
+
 std::string region_reason(const Story& story) {
   const gjk::Face face = story.state.region;
   const WideSimplex& simplex = story.state.simplex;
@@ -27,6 +63,7 @@ std::string region_reason(const Story& story) {
   }
   if (simplex.count == 1)
     return fmt::format("S is the single point {0}, so P = {0}.", story.words.vertex(0));
+  if (won && story.run.lesson.dimension == 3) return region_in_space(story, *won);
   if (!won)
     return fmt::format("Rounding makes every test false. The nearest candidate is the {}.",
                        story.words.kind_and_face(face));
@@ -249,7 +286,7 @@ void closest(const Story& story, FrameText& text) {
     return projection(story, text);
   }
   text.caption = region_reason(story);
-  if (gjk::vertex_count(story.state.region) == 3) {
+  if (story.is_solid(story.state.region)) {
     text.detail = story.run.point_query()
                       ? fmt::format("So P = {}, and the distance is 0.", story.q)
                       : "So P = O and the distance is 0: the shapes overlap.";

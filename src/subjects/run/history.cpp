@@ -20,6 +20,6 @@ History::Value History::compute(EffectGraph&, const LessonRun& run, const Frame&
 }
 
 const EffectInfo effect_infos::kHistory =
-    effect_info<History>("view", "simplices and closest points of earlier iterations");
+    also_in_space(effect_info<History>("view", "simplices and closest points of earlier iterations"));
 
 }  // namespace gjkscope

@@ -18,7 +18,10 @@ void iteration_frames(LessonRun& run, int index) { add_step_frames(run, index, e
 const Act kIteration{
     .name = "iteration",
     .meaning = "iteration of the run",
-    .needs = {.table = &LessonSecond::kKind, .table_is_optional = true, .takes_radius = true},
+    .needs = {.table = &LessonSecond::kKind,
+              .table_is_optional = true,
+              .takes_radius = true,
+              .in_space = true},
     .add_frames = iteration_frames,
     .follows_run = true,
     .asks = asks::kOfSteps,

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "outlines/polygon.hpp"
+#include "picture/solid.hpp"
 #include "picture/words.hpp"
 #include "run/questions.hpp"
 #include "subjects/round_shapes/subject.hpp"
@@ -61,7 +61,7 @@ void best_support_line(SceneBuilder& scene) {
   const BestSupport::Value& best = scene.effects.get<BestSupport>(scene.frame);
   if (!best) return;
   if (scene.knows.support && is_found_by(*best, scene.state)) return;
-  scene.support_line(scene.at_difference(best->support.w), best->normal, "support.best");
+  scene.support_plane(best->support.w, best->normal, "support.best");
 }
 
 void history(SceneBuilder& scene) {
@@ -109,6 +109,26 @@ void chords(SceneBuilder& scene, gjk::Face face) {
 
 }  // namespace
 
+namespace {
+
+void tetrahedron(SceneBuilder& scene) {
+  std::vector<Vector3d> corners;
+  for (int i = 0; i < scene.state.simplex.count; ++i)
+    corners.emplace_back(scene.state.simplex.vertices[i].w + scene.shift);
+  draw_solid(scene, hull_in_space(corners), corners, "simplex.solid");
+}
+
+/// The triangle of a tetrahedron that holds P.
+void face_of_p(SceneBuilder& scene, gjk::Face face) {
+  std::vector<Point> corners;
+  for (int i = 0; i < scene.state.simplex.count; ++i) {
+    if (gjk::contains(face, i)) corners.push_back(scene.vertex_at(i));
+  }
+  scene.area("simplex.face", corners);
+}
+
+}  // namespace
+
 void simplex(SceneBuilder& scene) {
   const WideSimplex& simplex = scene.state.simplex;
   const gjk::Face face = shows_closest_point(scene) ? scene.state.region : gjk::Face{0};
@@ -116,11 +136,15 @@ void simplex(SceneBuilder& scene) {
     std::vector<Point> points;
     for (int i = 0; i < simplex.count; ++i) points.push_back(scene.vertex_at(i));
     if (scene.shows_whole_simplex() && points.size() == 3) scene.area("simplex.fill", points);
+    if (scene.shows_whole_simplex() && points.size() == 4) tetrahedron(scene);
+    if (scene.map.is_of_space() && points.size() > 3 && gjk::vertex_count(face) == 3)
+      face_of_p(scene, face);
     for (int i = 0; i < simplex.count; ++i) {
       for (int j = i + 1; j < simplex.count; ++j) {
         const bool holds_p =
             gjk::contains(face, i) && gjk::contains(face, j) && gjk::vertex_count(face) == 2;
-        if (holds_p || scene.shows_whole_simplex())
+        // The edges of a tetrahedron are drawn already, some of them dashed.
+        if (holds_p || (scene.shows_whole_simplex() && simplex.count < 4))
           scene.line(holds_p ? "simplex.feature" : "simplex.edge", points[i], points[j]);
       }
     }
@@ -196,7 +220,7 @@ void witness_points(SceneBuilder& scene) {
 
 void search(SceneBuilder& scene) {
   if (scene.knows.support)
-    scene.support_line(scene.at_difference(scene.state.support.w), scene.state.d);
+    scene.support_plane(scene.state.support.w, scene.state.d);
   // A search that is over points nowhere.
   if (scene.knows.direction && !scene.knows.has_ended) search_direction(scene);
   if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");
@@ -217,7 +241,7 @@ void other_normal(SceneBuilder& scene) {
   if (!scene.knows.support) return;
   const Vector3d w =
       scene.positioned.y().world[other->support.y] - scene.positioned.x().world[other->support.x];
-  scene.support_line(scene.at_difference(w), other->d, "support.plane.other");
+  scene.support_plane(w, other->d, "support.plane.other");
   scene.diamond("support.other", scene.at_difference(w), kSupportRadius,
                 subject_of(scene.run, other->support));
 }
@@ -240,9 +264,8 @@ void asked_directions(SceneBuilder& scene) {
   if (question.ask != asks::kSupport.name) return;
   const Vector3d& d =
       scene.positioned.trace.steps[static_cast<std::size_t>(frame.answering_step)].after.d;
-  scene.search_arrow(scene.at(centroid(in_plane(scene.positioned.y().world))), d, kPairArrow, "d");
-  scene.search_arrow(scene.at(centroid(in_plane(scene.positioned.x().world))), -d, kPairArrow,
-                     "−d");
+  scene.search_arrow(scene.at(middle_of(scene.positioned.y().world)), d, kPairArrow, "d");
+  scene.search_arrow(scene.at(middle_of(scene.positioned.x().world)), -d, kPairArrow, "−d");
 }
 
 }  // namespace

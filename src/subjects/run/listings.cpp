@@ -322,7 +322,8 @@ void pseudocode(PanelBuilder& panel) {
 const Block kPseudocode{.name = "pseudocode",
                         .meaning = "a listing with the current line marked",
                         .write = pseudocode,
-                        .takes_listing = true};
+                        .takes_listing = true,
+                        .in_space = true};
 
 }  // namespace gjkscope::blocks
 
@@ -339,8 +340,14 @@ const Listing kStructures{.name = "structures",
                           .act = "phase"};
 const Listing kSupport{
     .name = "support", .meaning = "support point of a polygon", .write = support_listing};
-const Listing kGjkPoint{.name = "gjk-point", .meaning = "point to convex polygon", .write = loop};
+const Listing kGjkPoint{.name = "gjk-point",
+                        .meaning = "point to convex polygon, or polyhedron",
+                        .write = loop,
+                        .in_space = true};
 
-const Listing kGjk{.name = "gjk", .meaning = "convex polygon to convex polygon", .write = loop};
+const Listing kGjk{.name = "gjk",
+                   .meaning = "convex polygon to convex polygon, or polyhedron to polyhedron",
+                   .write = loop,
+                   .in_space = true};
 
 }  // namespace gjkscope::listings

@@ -18,7 +18,7 @@ void path_frames(LessonRun& run, int index) {
 
 Tick path_tick(const LessonRun& run, const Frame& frame) {
   const gjk::Face face = run.state(frame).region;
-  if (gjk::vertex_count(face) == 3) return {.group = "interior"};
+  if (gjk::vertex_count(face) == run.lesson.dimension + 1) return {.group = "interior"};
   return {.group = "region " + SimplexWords(run, run.state(frame).simplex).face(face)};
 }
 
@@ -49,7 +49,10 @@ constexpr std::array kPathAsks = {kRegionAtPosition, asks::kClosest, asks::kSign
 const Act kPath{
     .name = "path",
     .meaning = "position of X on the path",
-    .needs = {.table = &LessonSecond::kKind, .table_is_optional = true, .path = PathUse::needed},
+    .needs = {.table = &LessonSecond::kKind,
+              .table_is_optional = true,
+              .path = PathUse::needed,
+              .in_space = true},
     .add_frames = path_frames,
     .sweeps = true,
     .asks = kPathAsks,

@@ -88,7 +88,9 @@ class Asking {
                                           : "two of them";
     text_.caption =
         fmt::format("Question: which vertex of the {} can P do without, so that GJK drops it?",
-                    gjk::vertex_count(before_.simplex.all()) == 2 ? "segment" : "triangle");
+                    before_.simplex.count == 2   ? "segment"
+                    : before_.simplex.count == 3 ? "triangle"
+                                                 : "tetrahedron");
   }
 
   void stop() {

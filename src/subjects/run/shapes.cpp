@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "outlines/polygon.hpp"
+#include "picture/solid.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/space/solids.hpp"
 #include "subjects/weights/projection.hpp"
 #include "subjects/weights/subject.hpp"
 
@@ -127,8 +129,10 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
   // Names of corners of the hull stand outside of the shape, and these are what GJK can meet. Those
   // of the difference are made of them.
   std::vector<bool> on_hull(world.size(), false);
-  for (const int corner : convex_hull(in_plane(scene.positioned.bodies[body].world)))
-    on_hull[static_cast<std::size_t>(corner)] = true;
+  const std::vector<int> corners =
+      scene.map.is_of_space() ? scene.effects.get<ShapeSolids>(scene.frame)[body].vertices
+                              : convex_hull(in_plane(scene.positioned.bodies[body].world));
+  for (const int corner : corners) on_hull[static_cast<std::size_t>(corner)] = true;
   for (const bool of_hull : {true, false}) {
     if (!of_hull && !has_room_inside) break;
     std::vector<int> candidates;
@@ -211,7 +215,52 @@ void shape(SceneBuilder& scene, std::size_t body) {
   }
 }
 
+/// A body in space, and its vertices: those behind it are hollow, and have pale names.
+void solid(SceneBuilder& scene, std::size_t body) {
+  using Kind = Subject::Kind;
+  const bool is_x = body == 0;
+  const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
+  const std::vector<Vector3d>& world = scene.positioned.bodies[body].world;
+  const Polyhedron& hull = scene.effects.get<ShapeSolids>(scene.frame)[body];
+  draw_solid(scene, hull, world, role, {is_x ? Kind::shape_x : Kind::shape_y});
+  const std::vector<Point> vertices = scene.mapped(world);
+  const std::vector<bool> behind = vertices_behind(scene.map, hull, world.size());
+  const std::vector<bool> seen = in_sight(scene, vertices);
+  const std::vector<Named> named = names_of_vertices(scene, body, seen, false);
+  const double radius = std::min(disk_radius(vertices), kPartOfRoom * room_of(vertices));
+  const Point middle = centroid(vertices);
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (!seen[i] || (named[i] == Named::no && radius == 0.0)) continue;
+    const int index = static_cast<int>(i);
+    scene.disk(role + (behind[i] ? ".vertex.hidden" : ".vertex"), vertices[i],
+               radius > 0.0 ? radius : kNamedRadius,
+               is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
+    if (named[i] == Named::no) continue;
+    const std::string& name = scene.run.lesson.bodies[body].vertex_names[i];
+    const Point away = world.size() == 1 ? Point::Zero() : Point(vertices[i] - middle);
+    scene.out.fixed_labels.push_back(
+        scene.label("vertex:" + name, name, role + (behind[i] ? ".label.hidden" : ".label"),
+                    type::kVertex, vertices[i], kSimplexRadius, away));
+    scene.out.fixed_labels.back().needs_room = named[i] == Named::with_room;
+  }
+}
+
+/// The body that is farther from the eye comes first. Bodies that are apart lie on two sides of a
+/// plane, so that the direction from x to y tells.
+void solids(SceneBuilder& scene) {
+  if (scene.run.point_query()) return solid(scene, 1);
+  const WideResult& result = scene.positioned.trace.result;
+  const Vector3d way = result.distance > 0.0
+                           ? Vector3d(result.y - result.x)
+                           : Vector3d(middle_of(scene.positioned.y().world) -
+                                      middle_of(scene.positioned.x().world));
+  const std::size_t first = scene.map.towards_eye(way) >= 0.0 ? 0 : 1;
+  solid(scene, first);
+  solid(scene, 1 - first);
+}
+
 void shapes(SceneBuilder& scene) {
+  if (scene.map.is_of_space()) return solids(scene);
   // The query point has a mark of its own.
   const std::size_t first = scene.run.point_query() ? 1 : 0;
   for (std::size_t body = first; body < scene.run.lesson.bodies.size(); ++body) shape(scene, body);
@@ -249,7 +298,7 @@ void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
   if (!has_mark) scene.disk(role + ".vertex", at, kNamedRadius, vertex);
   scene.out.moving_labels.push_back(scene.label("vertex:" + name, name, role + ".label",
                                                 type::kVertex, at, kSimplexRadius,
-                                                at - scene.at(centroid(in_plane(world)))));
+                                                at - scene.at(middle_of(world))));
 }
 
 const Layer kShapes{.effect = {},

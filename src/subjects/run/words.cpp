@@ -50,8 +50,9 @@ void drop(const Story& story, FrameText& text) {
     if (story.state.simplex.count == 1) {
       text.caption = fmt::format("There is nothing to drop: S is the single vertex {}.",
                                  story.words.face(story.state.region));
-    } else if (story.state.simplex.count == 3) {
-      text.caption = "S keeps all three vertices: each has a positive weight.";
+    } else if (story.state.simplex.count > 2) {
+      text.caption = fmt::format("S keeps all {} vertices: each has a positive weight.",
+                                 story.state.simplex.count == 3 ? "three" : "four");
     } else {
       text.caption = "S keeps both vertices: each has a positive weight in P.";
     }
@@ -71,7 +72,7 @@ void drop(const Story& story, FrameText& text) {
   }
   if (next == gjk::Phase::stop) {
     text.detail =
-        story.state.simplex.count == 3
+        story.is_solid(story.state.simplex.all())
             ? fmt::format("P = {}: no point is closer. The search is over.", story.q)
         : story.knows.is_at_query && !dropped.empty()
             ? fmt::format("P = {}, as before {} was added. No point is closer than distance 0.",
@@ -85,8 +86,47 @@ void drop(const Story& story, FrameText& text) {
   }
 }
 
+namespace {
+
+/// "(L−D)", or a vertex of a point query: "B".
+std::string factor(const Story& story, int i) {
+  const std::string name = story.words.vertex(i);
+  return story.run.point_query() ? name : fmt::format("({})", name);
+}
+
+void direction_in_space(const Story& story, const WideDirection& note, FrameText& text) {
+  const std::string d = story.numbers.point(story.state.d);
+  const std::string a = factor(story, 0);
+  if (story.state.simplex.count == 2) {
+    text.caption = fmt::format("d is perpendicular to {} and points to {}.",
+                               story.edge_words(), story.q);
+    text.detail =
+        fmt::format("d = {} is cross(e, cross(e, {} − {})), where e = {} − {}: it needs neither P "
+                    "nor a division.",
+                    d, a, story.q, factor(story, 1), a);
+    return;
+  }
+  const std::string face = story.words.kind_and_face(story.state.simplex.all());
+  text.caption =
+      note.sign_is_arbitrary
+          ? fmt::format("d is perpendicular to the {}. {} lies in its plane, so either sign will "
+                        "do.",
+                        face, story.q)
+          : fmt::format("d is perpendicular to the {} and points to {}'s side.", face, story.q);
+  text.detail = fmt::format("d = {} is the normal cross({} − {}, {} − {}){}.", d,
+                            factor(story, 1), a, factor(story, 2), a,
+                            note.flipped ? fmt::format(", with the other sign: {}'s side is there",
+                                                       story.q)
+                                         : "");
+}
+
+}  // namespace
+
 void direction(const Story& story, FrameText& text) {
   const WideDirection& note = story.run.step(story.frame).record.direction;
+  if (story.run.lesson.dimension == 3 && story.state.simplex.count > 1 &&
+      story.state.d.norm() > 0.0)
+    return direction_in_space(story, note, text);
   if (!(story.state.d.norm() > 0.0)) {
     text.caption = fmt::format("d = 0, because P = {}.", story.q);
     text.detail = "No direction is left to search in.";
@@ -171,9 +211,9 @@ std::string news(const Story& story, const std::string& name) {
         "{} is not in the simplex: it was dropped. But it lies no farther along d than {}.", name,
         story.edge_words());
   }
-  return fmt::format("{} is {}. No point of {} lies beyond the dashed line.", name,
+  return fmt::format("{} is {}. No point of {} lies beyond the dashed {}.", name,
                      was_dropped ? "no longer in the simplex" : "not in the simplex yet",
-                     story.set_name());
+                     story.set_name(), story.plane());
 }
 
 /// Why a distance of 0 is one: P is O.
@@ -213,15 +253,16 @@ double farther_than_p(const Story& story) {
 std::string proved(const Story& story) {
   const BestSupport::Value& best = story.effects.get<BestSupport>(story.frame);
   const bool is_new = best && is_found_by(*best, story.state);
-  return fmt::format("All of {} lies behind the {} line, at least {} from {}. P is {} from {}.",
-                     story.set_name(), is_new ? "dashed" : "thin",
+  return fmt::format("All of {} lies behind the {} {}, at least {} from {}. P is {} from {}.",
+                     story.set_name(), is_new ? "dashed" : "thin", story.plane(),
                      story.numbers(story.run.bounds(story.frame).lower), story.q, story.distance(),
                      story.q);
 }
 
 /// Z, or the polygon of a point query: its hull where it is not convex, since GJK sees no more.
 std::string convex_set(const Story& story) {
-  const bool is_hull = story.run.point_query() && differs_from_hull(story.run.lesson.y().vertices);
+  const bool is_hull = story.run.point_query() && story.run.lesson.dimension == 2 &&
+                       differs_from_hull(in_plane(story.run.lesson.y().vertices));
   return is_hull ? "the hull of " + story.set_name() : story.set_name();
 }
 
@@ -289,8 +330,8 @@ void stop(const Story& story, FrameText& text) {
               ? fmt::format("P = {} already, at distance 0, but no test of this step asks that.",
                             story.q)
           : lower > 0.0 ? proved(story)
-                        : fmt::format("No line found so far separates {} from {}. P is {} from {}.",
-                                      story.q, story.set_name(), story.distance(), story.q);
+                        : fmt::format("No {} found so far separates {} from {}. P is {} from {}.",
+                                      story.plane(), story.q, story.set_name(), story.distance(), story.q);
       return;
     case gjk::StopReason::repeated_support:
       text.caption =
@@ -303,12 +344,13 @@ void stop(const Story& story, FrameText& text) {
                     support, convex_set(story), story.q);
       text.detail = outcome(story);
       if (lower > 0.0) {
-        text.detail += fmt::format(" All of {} lies behind the dashed line.", story.set_name());
+        text.detail += fmt::format(" All of {} lies behind the dashed {}.", story.set_name(),
+                                   story.plane());
       }
       return;
     case gjk::StopReason::origin_inside:
-      text.caption = fmt::format("Stop: {} lies inside the triangle {}.", story.q,
-                                 story.words.face(story.state.simplex.all()));
+      text.caption = fmt::format("Stop: {} lies inside the {}.", story.q,
+                                 story.simplex_name());
       text.detail =
           story.run.point_query()
               ? fmt::format("So {} lies in {}: the distance is 0.", story.q, convex_set(story))
@@ -397,7 +439,7 @@ void put_weights(const Story& story, FrameText& text) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto vertex = static_cast<std::size_t>(order[i]);
     if (measures)
-      text.values.emplace_back(std::string(1, "uvw"[i]),
+      text.values.emplace_back(std::string(1, "uvwt"[i]),
                                story.numbers.weight(of_q.weights[vertex]));
     of_p +=
         fmt::format("{}{} {}", of_p.empty() ? "" : ", ",

@@ -70,8 +70,8 @@ std::optional<NamedFile> read_log_file(const TableSource& source, const Field& f
 /// A half cannot hold all that a double can.
 void check_halves(const TableSource& source, const Field& scalar) {
   double largest = 0.0;
-  const auto take = [&](const std::vector<Eigen::Vector2d>& points) {
-    for (const Eigen::Vector2d& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  const auto take = [&](const std::vector<Eigen::Vector3d>& points) {
+    for (const Eigen::Vector3d& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   };
   for (const LessonShape& shape : source.lesson.bodies) {
     largest = std::max(largest, shape.radius);

@@ -42,7 +42,7 @@ class Inset {
         fonts_(fonts),
         title_(wrapped(fonts, type::kText, title, card.size().x() - 2.0 * kTitleLeft)),
         map_({card.min + Point(0.0, header()), card.max},
-             {center, (card.size().y() - header()) / scale}) {
+             {in_space(center), (card.size().y() - header()) / scale}) {
     for (const Vector2d& corner : map_.visible()) seen_.extend(corner);
     scene_.add("inset", Box{card, 8.0});
     Point at = card.min + Point(kTitleLeft, 22.0);

@@ -15,6 +15,17 @@ int closest_step(const LessonRun& run, const Frame& frame) {
   return step;
 }
 
+template <class S, int D>
+std::vector<double> weights_of(const WideSimplex& wide, int exponent) {
+  const gjk::Simplex<S, D> simplex = narrowed_simplex<S, D>(wide, exponent);
+  const gjk::Barycentric<S, D> coordinates = gjk::barycentric(simplex, simplex.all());
+  std::vector<double> out;
+  if (!(S(0) < coordinates.denominator)) return out;
+  for (int i = 0; i < simplex.count; ++i)
+    out.push_back(widened(S(coordinates.numerator[i] / coordinates.denominator)));
+  return out;
+}
+
 }  // namespace
 
 EffectKey BarycentricWeights::key(const LessonRun& run, const Frame& frame) {
@@ -27,13 +38,9 @@ BarycentricWeights::Value BarycentricWeights::compute(EffectGraph&, const Lesson
   value.simplex = state_before(run.run(frame).trace, closest_step(run, frame) + 1).simplex;
   if (value.simplex.count == 0) return value;  // a refused run
   with_scalar(run.lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    const gjk::Simplex<S, 2> simplex =
-        narrowed_simplex<S, 2>(value.simplex, run.run(frame).exponent);
-    const gjk::Barycentric<S, 2> coordinates = gjk::barycentric(simplex, simplex.all());
-    if (!(S(0) < coordinates.denominator)) return;
-    for (int i = 0; i < simplex.count; ++i) {
-      value.weights.push_back(widened(S(coordinates.numerator[i] / coordinates.denominator)));
-    }
+    const int exponent = run.run(frame).exponent;
+    value.weights = run.lesson.dimension == 3 ? weights_of<S, 3>(value.simplex, exponent)
+                                              : weights_of<S, 2>(value.simplex, exponent);
   });
   return value;
 }

@@ -14,13 +14,14 @@ namespace {
 using Eigen::Vector2d;
 using namespace rows;
 
-constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
+constexpr std::array<std::string_view, 4> kLetters = {"u", "v", "w", "t"};
 
 void weights(PanelBuilder& panel) {
   const BarycentricWeights::Value& value = panel.effects.get<BarycentricWeights>(panel.frame);
   const int count = value.simplex.count;
   const bool point_query = panel.run.point_query();
-  panel.heading(count == 3   ? "Weights: signed fractions of area"
+  panel.heading(count == 4   ? "Weights: signed fractions of volume"
+                : count == 3 ? "Weights: signed fractions of area"
                 : count == 2 ? "Weights: signed fractions of length"
                              : "Weights");
   if (value.weights.empty()) {
@@ -60,7 +61,8 @@ void weights(PanelBuilder& panel) {
   panel.y += kRow + 2.0;
   const std::string total = panel.numbers.weight(sum);
   panel.write("body.muted", panel.left,
-              std::string(count == 3   ? "u + v + w"
+              std::string(count == 4   ? "u + v + w + t"
+                          : count == 3 ? "u + v + w"
                           : count == 2 ? "u + v"
                                        : "u") +
                   (adds_up(terms, total) ? "" : " before rounding"),
@@ -82,7 +84,10 @@ void weights(PanelBuilder& panel) {
 }  // namespace
 
 const Block kWeights{
-    .name = "weights", .meaning = "barycentric weights as signed bars", .write = weights};
+    .name = "weights",
+    .meaning = "barycentric weights as signed bars",
+    .write = weights,
+    .in_space = true};
 
 namespace {
 

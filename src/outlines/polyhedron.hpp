@@ -1,0 +1,38 @@
+#pragma once
+// Hulls of points in space, for pictures: their faces, edges and vertices.
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace gjkscope {
+
+/// The hull of points in space. A hull that is flat has two faces, back to back; one on a line has
+/// one edge and no face; a single point has neither.
+struct Polyhedron {
+  /// Triangles in one plane make one face, as far as double precision can tell.
+  struct Face {
+    std::vector<int> vertices;  ///< Indices of points, counter-clockwise seen from outside.
+    Eigen::Vector3d normal;     ///< Outwards, of unit length.
+  };
+  struct Edge {
+    int from = 0;
+    int to = 0;
+    int left = -1;  ///< The faces on both sides; -1: the hull has none.
+    int right = -1;
+  };
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+  std::vector<int> vertices;  ///< Those on the hull, in ascending order.
+};
+
+/// The hull of at least one point. Orientations are decided exactly, so it never folds (Barber,
+/// Dobkin, Huhdanpaa 1996, Quickhull).
+[[nodiscard]] Polyhedron hull_in_space(std::span<const Eigen::Vector3d> points);
+
+/// Sign of the volume of abcd: positive where d lies on the side from which abc turns clockwise.
+/// Exact.
+[[nodiscard]] int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              const Eigen::Vector3d& c, const Eigen::Vector3d& d);
+
+}  // namespace gjkscope

@@ -1,0 +1,30 @@
+#pragma once
+// Convex bodies in space, drawn with marks alone: the silhouette thick, edges in front thin, those
+// behind dashed.
+
+#include <string>
+#include <vector>
+
+#include "outlines/polyhedron.hpp"
+#include "picture/scene.hpp"
+
+namespace gjkscope {
+
+/// Whether each face looks towards the eye.
+[[nodiscard]] std::vector<bool> faces_in_front(const StageMap& map, const Polyhedron& solid);
+
+/// Whether each point is a vertex behind the body: all faces that meet there look away.
+[[nodiscard]] std::vector<bool> vertices_behind(const StageMap& map, const Polyhedron& solid,
+                                                std::size_t points);
+
+/// The silhouette has the role, faces that turn away from the light ROLE.shade, edges ROLE.edge and
+/// ROLE.hidden. `points`: those that the hull was made of.
+void draw_solid(SceneBuilder& scene, const Polyhedron& solid,
+                const std::vector<Eigen::Vector3d>& points, const std::string& role,
+                const Subject& subject = {});
+
+/// The part of a plane around `center`, which lies in it, as a square with this half-width.
+void draw_plane(SceneBuilder& scene, const Eigen::Vector3d& center, const Eigen::Vector3d& normal,
+                double half_width, const std::string& role);
+
+}  // namespace gjkscope

@@ -1,0 +1,132 @@
+#include "subjects/space/region.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "run/questions.hpp"
+#include "subjects/space/subject.hpp"
+#include "subjects/weights/barycentric.hpp"
+
+namespace gjkscope {
+namespace {
+
+using Eigen::Vector3d;
+
+/// All points q with dot(normal, q) >= offset.
+struct HalfSpace {
+  Vector3d normal;
+  double offset = 0.0;
+};
+
+/// The weight of a vertex in P's combination, if only this face counted, for a query point at q. It
+/// is affine in q.
+double weight_at(const WideSimplex& simplex, gjk::Face face, int vertex, const Vector3d& q) {
+  WideSimplex moved = simplex;
+  for (int i = 0; i < moved.count; ++i) moved.vertices[i].w -= q;
+  const gjk::Barycentric<double, 3> weights = gjk::barycentric(moved, face);
+  return weights.numerator[vertex] / weights.denominator;
+}
+
+/// Where that weight is positive, or not.
+HalfSpace where(const WideSimplex& simplex, gjk::Face face, int vertex, bool positive,
+                double unit) {
+  const double at_origin = weight_at(simplex, face, vertex, Vector3d::Zero());
+  Vector3d slope;
+  for (int i = 0; i < 3; ++i)
+    slope[i] = (weight_at(simplex, face, vertex, unit * Vector3d::Unit(i)) - at_origin) / unit;
+  const double sign = positive ? 1.0 : -1.0;
+  return {sign * slope, -sign * at_origin};
+}
+
+/// Corners of what all of them have in common, which must be bounded.
+std::vector<Vector3d> corners_of(const std::vector<HalfSpace>& spaces, double slack) {
+  std::vector<Vector3d> out;
+  const auto holds = [&](const Vector3d& q) {
+    return std::all_of(spaces.begin(), spaces.end(), [&](const HalfSpace& space) {
+      return space.normal.dot(q) >= space.offset - slack * space.normal.norm();
+    });
+  };
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    for (std::size_t j = i + 1; j < spaces.size(); ++j) {
+      for (std::size_t k = j + 1; k < spaces.size(); ++k) {
+        Eigen::Matrix3d rows;
+        rows << spaces[i].normal.normalized().transpose(), spaces[j].normal.normalized().transpose(),
+            spaces[k].normal.normalized().transpose();
+        constexpr double kParallel = 1e-9;
+        if (std::abs(rows.determinant()) < kParallel) continue;
+        const Vector3d q = rows.inverse() * Vector3d(spaces[i].offset / spaces[i].normal.norm(),
+                                                     spaces[j].offset / spaces[j].normal.norm(),
+                                                     spaces[k].offset / spaces[k].normal.norm());
+        if (holds(q)) out.push_back(q);
+      }
+    }
+  }
+  return out;
+}
+
+const WideSimplex& tested_simplex(const LessonRun& run, const Frame& frame) {
+  return state_before(run.run(frame).trace, std::max(run.gjk_step(frame), 0)).simplex;
+}
+
+}  // namespace
+
+EffectKey RegionSolid::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), -1};
+}
+
+RegionSolid::Value RegionSolid::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+  Value value;
+  const WideSimplex& simplex = tested_simplex(run, frame);
+  const gjk::Face region = run.state(frame).region;
+  if (simplex.count < 4 || region == 0) return value;
+  Vector3d middle = Vector3d::Zero();
+  for (int i = 0; i < 4; ++i) middle += 0.25 * simplex.vertices[i].w;
+  double radius = 0.0;
+  for (int i = 0; i < 4; ++i)
+    radius = std::max(radius, (simplex.vertices[i].w - middle).norm());
+  std::vector<HalfSpace> spaces;
+  for (int i = 0; i < 4; ++i) {
+    const bool is_in = gjk::contains(region, i);
+    if (is_in && gjk::vertex_count(region) == 1) continue;
+    const auto face = static_cast<gjk::Face>(region | gjk::face_of(i));
+    spaces.push_back(where(simplex, face, i, is_in, radius));
+  }
+  constexpr double kReach = 1.7;  // of the simplex
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const Vector3d inwards(x, y, z);
+        if (!inwards.isZero())
+          spaces.push_back({inwards, inwards.dot(middle) - kReach * radius * inwards.norm()});
+      }
+    }
+  }
+  constexpr double kSlack = 1e-9;
+  value.points = corners_of(spaces, kSlack * radius);
+  if (!value.points.empty()) value.hull = hull_in_space(value.points);
+  return value;
+}
+
+EffectKey FacesBefore::key(const LessonRun& run, const Frame& frame) {
+  return {frame.run, run.gjk_step(frame), -1};
+}
+
+FacesBefore::Value FacesBefore::compute(EffectGraph& graph, const LessonRun&, const Frame& frame) {
+  const BarycentricWeights::Value& weights = graph.get<BarycentricWeights>(frame);
+  Value out;
+  for (std::size_t i = 0; i < weights.weights.size(); ++i) {
+    if (weights.weights[i] < 0.0)
+      out.push_back(static_cast<gjk::Face>(weights.simplex.all() &
+                                           ~gjk::face_of(static_cast<int>(i))));
+  }
+  return out;
+}
+
+const EffectInfo effect_infos::kRegionSolid = also_in_space(
+    effect_info<RegionSolid>("view", "in space: the Voronoi region that holds the query point"));
+
+const EffectInfo effect_infos::kFacesBefore = also_in_space(effect_info<FacesBefore>(
+    "view", "in space: the faces of the simplex that the query point lies beyond"));
+
+}  // namespace gjkscope

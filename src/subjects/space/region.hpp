@@ -1,0 +1,33 @@
+#pragma once
+// The part of space that is closest to one face of a simplex.
+
+#include <vector>
+
+#include "outlines/polyhedron.hpp"
+#include "run/graph.hpp"
+
+namespace gjkscope {
+
+/// The Voronoi region of the face that holds P, cut off some way around the simplex. Empty where
+/// the simplex has no volume.
+struct RegionSolid {
+  static constexpr std::string_view kName = "region-solid";
+  static constexpr std::string_view kNeeds = "";
+  struct Value {
+    std::vector<Eigen::Vector3d> points;  ///< In the coordinates of the difference.
+    Polyhedron hull;
+  };
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+/// The faces that the query point lies beyond: those opposite to vertices of negative weight.
+struct FacesBefore {
+  static constexpr std::string_view kName = "faces-before";
+  static constexpr std::string_view kNeeds = "barycentric-weights";
+  using Value = std::vector<gjk::Face>;
+  static EffectKey key(const LessonRun& run, const Frame& frame);
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+}  // namespace gjkscope
