@@ -25,6 +25,8 @@
 namespace gjkscope {
 namespace {
 
+constexpr double kTurn = 10.0;  // degrees for a key
+
 namespace fs = std::filesystem;
 using Eigen::Vector2d;
 
@@ -407,7 +409,10 @@ void App::make_commands() {
     say(snaps_ ? "drags go to round numbers" : "drags go anywhere");
   });
   add("Edit", "Copy as case", {"Ctrl+C"}, [&] {
-    if (copy) copy(case_json(case_of(session_.run().run(session_.frame())), session_.lesson().id));
+    if (!copy) return;
+    with_case(session_.run().run(session_.frame()), [&](const auto& shapes) {
+      copy(case_json(shapes, session_.lesson().id));
+    });
     say("copied the shapes as a case");
   });
   add("Edit", "Copy the frame as SVG text", {"Ctrl+Shift+C"}, [&] {
@@ -472,6 +477,20 @@ void App::make_commands() {
   add("File", "Quit", {"Ctrl+Q"}, [&] { ask_to_quit(); });
 
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
+  const auto is_in_space = [&] { return session_.eye().has_value(); };
+  for (const std::string_view side : kSides) {
+    add("View", fmt::format("See from the side: {}", side), {}, [this, side] {
+      session_.set_eye(*eye_from(side, session_.run(), session_.frame()));
+    }, is_in_space);
+  }
+  for (const auto& [name, key, azimuth, elevation] :
+       {std::tuple("Turn left", "Ctrl+Left", -kTurn, 0.0), {"Turn right", "Ctrl+Right", kTurn, 0.0},
+        {"Turn up", "Ctrl+Up", 0.0, kTurn}, {"Turn down", "Ctrl+Down", 0.0, -kTurn}}) {
+    add("View", name, {key}, [this, azimuth = azimuth, elevation = elevation] {
+      const Eye now = *session_.eye();
+      session_.set_eye({now.azimuth + azimuth, now.elevation + elevation});
+    }, is_in_space);
+  }
   add(
       "View", "Grid and axes", {"Shift+G"},
       [&] {
@@ -520,7 +539,7 @@ void App::make_commands() {
   for (const std::string& theme : themes)
     add("View", "Theme " + theme, {}, [this, theme] { set_theme(theme); });
   const auto has_code = [&] {
-    return code::in_language(session_.lesson().listing, Language::cpp).has_value();
+    return code::in_language(session_.lesson(), Language::cpp).has_value();
   };
   add(
       "View", "Next language of the listing", {"C"},
@@ -529,7 +548,7 @@ void App::make_commands() {
         Lesson lesson = session_.lesson();
         const int now = static_cast<int>(code::language_of(lesson.listing));
         const auto next = static_cast<Language>((now + 1) % kCount);
-        lesson.listing = code::in_language(lesson.listing, next).value_or(lesson.listing);
+        lesson.listing = code::in_language(lesson, next).value_or(lesson.listing);
         edit("listing", std::move(lesson));
       },
       has_code);

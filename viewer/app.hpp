@@ -212,7 +212,7 @@ class App {
   void save_as();
 
   /// The opening lesson with the shapes of a case, and no words; nothing when that has problems.
-  [[nodiscard]] std::optional<Lesson> lesson_around(const Case& shapes,
+  [[nodiscard]] std::optional<Lesson> lesson_around(const ReadCase& read,
                                                     const std::string& name) const;
   void save_to(const std::filesystem::path& file);
   /// Writes text of the user's; says what was written, or why not.
@@ -268,7 +268,8 @@ class App {
   [[nodiscard]] const Command* command(std::string_view name) const;
   /// A lesson, or the problems of its text: what a file of this name and text shows.
   struct NotedCase {
-    Case shapes;
+    std::vector<Eigen::Vector3d> x;
+    std::vector<Eigen::Vector3d> y;
     CaseNotes notes;
   };
   struct ReadLesson {

@@ -44,32 +44,15 @@ bool shows_another_outline(const std::vector<Eigen::Vector2d>& vertices) {
   return vertices.size() > 3 && !is_convex(vertices);
 }
 
-std::vector<Problem> only_problem(const ReadCase& read, const std::string& file, std::string what,
-                                  std::string expected) {
-  return {{file, read.place.line, read.place.column, std::move(what), std::move(expected), ""}};
-}
-
 }  // namespace
 
 App::ReadLesson App::read_case(std::string_view text, const std::string& file) const {
   const std::vector<ReadCase> cases = parse_cases(text, file, 3);
   const ReadCase& first = cases.front();
-  if (first.in_space) {
-    const std::string answers =
-        fs::exists(file)
-            ? fmt::format("`gjkscope solve {}` and `gjkscope trace {}` answer it", file, file)
-            : "`gjkscope solve` and `gjkscope trace` answer it, from a file";
-    return {std::nullopt,
-            only_problem(first, file,
-                         fmt::format("'{}' is a case in space, and the window shows the plane; {}",
-                                     fs::path(first.name).filename().string(), answers),
-                         ""),
-            cases.size()};
-  }
-  if (!first.value) return {std::nullopt, first.problems, cases.size()};
+  if (!first.problems.empty()) return {std::nullopt, first.problems, cases.size()};
   const bool has_name = first.name != file;
   std::optional<Lesson> lesson =
-      lesson_around(*first.value, has_name ? first.name : fs::path(file).stem().string());
+      lesson_around(first, has_name ? first.name : fs::path(file).stem().string());
   if (!lesson)
     return {std::nullopt, load_lesson(opening_lesson(paths_.share), vocabulary()).problems};
   const std::string why = sentence(first.notes.why.empty() ? "Shapes of a case" : first.notes.why);
@@ -80,7 +63,7 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) c
   }
   std::string hulls;
   for (const LessonShape& shape : lesson->bodies) {
-    if (!shows_another_outline(in_plane(shape.vertices))) continue;
+    if (first.in_space || !shows_another_outline(in_plane(shape.vertices))) continue;
     hulls += (hulls.empty() ? "" : " and of ") + shape.name;
     for (LessonView& view : lesson->views) {
       if (view.kind == ViewKind::world && !view.calls_for(ShapeHull::kName))
@@ -88,14 +71,14 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) c
     }
   }
   if (!hulls.empty()) lesson->prose += fmt::format(" GJK sees the hull of {}.", hulls);
-  const std::size_t pairs = first.value->a.size() * first.value->b.size();
+  const std::size_t pairs = lesson->x().vertices.size() * lesson->y().vertices.size();
   if (pairs > edit::kMostPairs) {
     lesson->prose +=
         fmt::format(" Z has {} differences: of its outline only what the run finds is drawn.",
                     grouped(static_cast<double>(pairs)));
   }
-  return {
-      std::move(lesson), {}, cases.size(), NotedCase{*first.value, first.notes}, first.understood};
+  NotedCase noted{lesson->x().vertices, lesson->y().vertices, first.notes};
+  return {std::move(lesson), {}, cases.size(), std::move(noted), first.understood};
 }
 
 void App::note(std::optional<NotedCase> noted) {
@@ -129,12 +112,13 @@ void App::open_pasted(const std::string& text, const std::string& name) {
   if (!read.understood.empty()) say(read.understood);
 }
 
-std::optional<Lesson> App::lesson_around(const Case& shapes, const std::string& name) const {
+std::optional<Lesson> App::lesson_around(const ReadCase& read, const std::string& name) const {
   // A case has no words and no views: it is shown as the opening lesson shows its shapes.
   const fs::path file = opening_lesson(paths_.share);
   LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
   if (!loaded.lesson) return std::nullopt;
-  Lesson lesson = edit::told_of(*std::move(loaded.lesson), shapes);
+  Lesson lesson = read.in_space ? edit::told_of(*std::move(loaded.lesson), *read.in_space)
+                                : edit::told_of(*std::move(loaded.lesson), *read.value);
   lesson.id = name;
   lesson.path.clear();
   lesson.title = name;
@@ -148,8 +132,7 @@ const CaseNotes* App::case_notes() const {
   const Lesson& lesson = session_.lesson();
   const auto found =
       std::find_if(noted_cases_.begin(), noted_cases_.end(), [&](const NotedCase& each) {
-        return in_space(each.shapes.a) == lesson.x().vertices &&
-               in_space(each.shapes.b) == lesson.y().vertices;
+        return each.x == lesson.x().vertices && each.y == lesson.y().vertices;
       });
   return found == noted_cases_.end() ? nullptr : &found->notes;
 }
@@ -178,10 +161,11 @@ std::string App::compared_with_case() const {
 }
 
 void App::save_case_to(const fs::path& file) {
-  const Case shapes = case_of(session_.run().run(session_.frame()));
+  const PositionedRun& run = session_.run().run(session_.frame());
   try {
     const bool is_own = file == session_.file();
-    std::string text = case_json(shapes, session_.lesson().id);
+    std::string text = with_case(
+        run, [&](const auto& shapes) { return case_json(shapes, session_.lesson().id); });
     std::string note;
     for (const std::string& there : is_own ? texts_to_keep(file) : std::vector<std::string>()) {
       if (parse_cases(there, file.string()).size() > 1) {
@@ -189,7 +173,8 @@ void App::save_case_to(const fs::path& file) {
                                file.filename().string()),
                    true);
       }
-      const std::optional<std::string> kept = case_json_kept(there, shapes);
+      const std::optional<std::string> kept =
+          with_case(run, [&](const auto& shapes) { return case_json_kept(there, shapes); });
       if (!kept) continue;
       if (there.find("\"expected_") != std::string::npos &&
           kept->find("\"expected_") == std::string::npos)

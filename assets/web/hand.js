@@ -40,7 +40,7 @@ function onDown(event) {
   endMotion();
   stop();
   const touch = event.pointerType !== "mouse";
-  const press = { id: event.pointerId, drags: isOverShape(event, touch ? FINGER : 14), from: placeOf(event), touch };
+  const press = { id: event.pointerId, drags: Boolean(state.eye) || isOverShape(event, touch ? FINGER : 14), from: placeOf(event), touch };
   held = press;
   if (!press.drags) {
     // A press beside the shapes selects none.

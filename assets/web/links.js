@@ -28,7 +28,8 @@ async function unpacked(text) {
 
 /** The part after # in the address of this step, with all changes. */
 async function hashOfStep() {
-  const hash = `#step=${state.index + 1}`;
+  const turned = state.eye && state.eye.some((degrees, i) => degrees !== firstEye[i]);
+  const hash = `#step=${state.index + 1}${turned ? `&eye=${state.eye.map((degrees) => Math.round(degrees * 10) / 10).join()}` : ""}`;
   if (!state.changed) return hash;
   const answer = await ask({ do: "lesson" });
   return answer?.lesson === undefined ? null : `${hash}&lesson=${await packed(answer.lesson)}`;
@@ -87,6 +88,11 @@ async function follow(hash) {
       if (!(await act({ do: "replace", lesson, name: "link" }))) return;
     } else if (parts.has("case")) {
       if (!(await act({ do: "case", text: parts.get("case"), name: "link" }))) return;
+    }
+    if (parts.has("eye") && state.eye) {
+      const [azimuth, elevation] = parts.get("eye").split(",").map(Number);
+      if (!Number.isFinite(azimuth + elevation)) return say(`link: 'eye' is ${parts.get("eye").slice(0, 20)}; expected two numbers, azimuth and elevation`);
+      await act({ do: "eye", azimuth: azimuth - state.eye[0], elevation: elevation - state.eye[1] });
     }
     const wanted = parts.get("step") ?? (/^\d+$/.test(text) ? text : null);
     if (wanted === null) return;

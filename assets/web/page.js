@@ -82,9 +82,12 @@ function tellOfHulls() {
   else if ($("hint").classList.contains("note")) tell("");
 }
 
+let firstEye;  // degrees, as the lesson has it
+
 function show(next, moves) {
   const last = state;
   state = { ...last, ...next, question: next.question, listing: next.listing };
+  firstEye ??= state.eye;
   if (next.numbers) state.shapes = next.shapes;  // none where there are too many vertices to list
   const focused = document.activeElement;
   endMotion();
@@ -118,7 +121,7 @@ function show(next, moves) {
   // There a question takes of the figure's height.
   if (last && Boolean(last.question) !== Boolean(state.question) && placeOfBar() === "over") layout();
   keep(next);
-  if (last && (last.index !== state.index || last.history.now !== state.history.now)) keepLink();
+  if (last && (last.index !== state.index || last.history.now !== state.history.now || String(last.eye) !== String(state.eye))) keepLink();
   if (root.dataset.ready && last.index !== state.index) tellHost("step", shownStep());
   clearTimeout(paperTimer);
   paperTimer = setTimeout(async () => {
@@ -230,7 +233,18 @@ const KEYS = {
   y: () => act({ do: "redo" }),
   g: toggleSnaps,
   p: () => data.asks && predict(),
+  a: () => turn(-TURN, 0),
+  d: () => turn(TURN, 0),
+  w: () => turn(0, TURN),
+  s: () => turn(0, -TURN),
 };
+
+const TURN = 10;  // degrees for a key
+
+/** Walks around shapes in space. */
+function turn(azimuth, elevation) {
+  if (state.eye) act({ do: "eye", azimuth, elevation });
+}
 
 function onKey(event) {
   const at = event.target;

@@ -10,6 +10,7 @@ function showTools(next, last) {
   $("redo").disabled = !state.redo;
   $("reset").disabled = !state.changed;
   $("predict").setAttribute("aria-pressed", state.predicting);
+  showSides();
   $("question").hidden = !next.question;
   if (next.question && (last?.question?.choices.join() !== next.question.choices.join() || last.index !== next.index)) showChoices(next.question);
   const graded = next.answers && (!last?.answers || last.answers.asked !== next.answers.asked);
@@ -22,6 +23,15 @@ function showTools(next, last) {
     setText("verdict", `${said} ${right} of ${asked} so far.`);
     tellHost("answer", { step: state.index + 1, chosen, answer, right: isRight, asked, correct: right });
   }
+}
+
+/** Space can be seen from sides that have names. */
+function showSides() {
+  const sides = $("sides");
+  sides.hidden = !state.sides;
+  if (sides.hidden || sides.children.length) return;
+  sides.replaceChildren(...state.sides.map((to) =>
+    element("button", { type: "button", textContent: to, title: `See it from this side: ${to} (A, D, W and S turn it)`, onclick: () => act({ do: "eye", to }) })));
 }
 
 const LANGUAGES = { pseudocode: "pseudocode", cpp: "C++", python: "Python" };
@@ -94,23 +104,23 @@ function vertexTable(key, shape) {
     });
   const cell = (text, index, axis) => {
     const input = element("input", { type: "text", value: text, spellcheck: false });
-    input.setAttribute("aria-label", `${"xy"[axis]} of ${shape.names[index]}`);
+    input.setAttribute("aria-label", `${"xyz"[axis]} of ${shape.names[index]}`);
     input.id = `${key}-${index}-${axis}`;
     input.onchange = async () => {
-      const typed = { ["xy"[axis]]: input.value.trim() };
+      const typed = { ["xyz"[axis]]: input.value.trim() };
       if (!(await act({ do: "vertex", shape: key, index, ...typed }, { about: input }))) input.value = text;
     };
     return element("td", {}, input);
   };
+  const axes = [..."xyz"].slice(0, shape.vertices[0].length / 2);  // decimals, then hexadecimals
   const body = shape.vertices.map((vertex, i) =>
     element("tr", {}, element("th", { scope: "row" }, name(shape.names[i], i)),
-      cell(vertex[hex ? 2 : 0], i, 0), cell(vertex[hex ? 3 : 1], i, 1)));
+      ...axes.map((_, axis) => cell(vertex[axis + (hex ? axes.length : 0)], i, axis))));
   const whole = element("tr", {}, element("th", { scope: "row" }, name(`all of ${shape.name}`, -1)),
-    element("td", { colSpan: 2 }));
+    element("td", { colSpan: axes.length }));
   return element("table", {}, element("caption", { textContent: `Shape ${shape.name}` }),
     element("thead", {}, element("tr", {}, element("th", { scope: "col", textContent: "vertex" }),
-      element("th", { scope: "col", textContent: "x" }),
-      element("th", { scope: "col", textContent: "y" }))),
+      ...axes.map((axis) => element("th", { scope: "col", textContent: axis })))),
     element("tbody", {}, ...body, whole));
 }
 

@@ -95,7 +95,7 @@ FoundLessons find_lessons(const Environment& env, const LessonChoice& choice) {
   }
   for (Lesson& lesson : all.lessons) {
     if (!choice.language) break;
-    lesson.listing = code::in_language(lesson.listing, *choice.language).value_or(lesson.listing);
+    lesson.listing = code::in_language(lesson, *choice.language).value_or(lesson.listing);
   }
   if (all.exit_code == kDone && all.lessons.empty()) {
     env.err << fmt::format("gjkscope: {} holds no lessons\n", folder.string());

@@ -225,7 +225,9 @@ struct LessonOnItsWay {
   [[nodiscard]] bool is_up_to_date() const { return pictures.empty(); }
   [[nodiscard]] RecordedFrame recorded(int step) const {
     const auto index = static_cast<std::size_t>(step - 1);
-    return {step, texts[index].caption, case_of(run.run(run.frames[index]))};
+    RecordedFrame out{step, texts[index].caption, {}};
+    with_case(run.run(run.frames[index]), [&](auto shapes) { out.shapes = std::move(shapes); });
+    return out;
   }
   [[nodiscard]] Record record(std::string key, int first, int last) const {
     Record out{run.lesson.id, toml, std::move(key), {}};

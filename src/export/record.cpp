@@ -16,12 +16,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json points(const std::vector<gjk::Vec<double, 2>>& vertices) {
-  Json list = Json::array();
-  for (const auto& v : vertices) {
-    list.push_back({hexadecimal(v.x()), hexadecimal(v.y())});
-  }
-  return list;
+template <int D>
+Json json_of(const CaseIn<D>& shapes) {
+  const auto points = [](const std::vector<gjk::Vec<double, D>>& vertices) {
+    Json list = Json::array();
+    for (const auto& vertex : vertices) {
+      Json numbers = Json::array();
+      for (const double value : vertex) numbers.push_back(hexadecimal(value));
+      list.push_back(std::move(numbers));
+    }
+    return list;
+  };
+  return {{"dimension", D}, {"a", points(shapes.a)}, {"b", points(shapes.b)}};
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
@@ -88,15 +94,13 @@ std::string in_gif(std::string_view file) {
 
 std::string record_text(const Record& record) {
   Json frames = Json::array();
-  const RecordedFrame* before = nullptr;
+  Json last;
   for (const RecordedFrame& frame : record.frames) {
     Json one = {{"step", frame.step}, {"caption", frame.caption}};
-    if (!before || before->shapes.a != frame.shapes.a || before->shapes.b != frame.shapes.b) {
-      one["case"] = {
-          {"dimension", 2}, {"a", points(frame.shapes.a)}, {"b", points(frame.shapes.b)}};
-    }
+    const Json shapes = std::visit([](const auto& each) { return json_of(each); }, frame.shapes);
+    if (shapes != last) one["case"] = shapes;
+    last = shapes;
     frames.push_back(std::move(one));
-    before = &frame;
   }
   const Json json = {{"program", signature()},
                      {"key", record.key},
@@ -118,7 +122,11 @@ std::optional<Record> find_record(std::span<const std::uint8_t> file) {
     for (const Json& frame : json.at("frames")) {
       RecordedFrame one{frame.at("step"), frame.at("caption"), {}};
       if (frame.contains("case")) {
-        one.shapes = parse_cases(frame.at("case").dump(), "record").front().value.value();
+        const ReadCase read = parse_cases(frame.at("case").dump(), "record", 3).front();
+        if (read.in_space)
+          one.shapes = *read.in_space;
+        else
+          one.shapes = read.value.value();
       } else if (!record.frames.empty()) {
         one.shapes = record.frames.back().shapes;
       }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "lesson/case.hpp"
@@ -18,7 +19,8 @@ inline constexpr const char* kRecordKeyword = "gjkscope";
 struct RecordedFrame {
   int step = 1;  ///< From 1.
   std::string caption;
-  Case shapes;  ///< As they stand in the world.
+  /// As they stand in the world.
+  std::variant<Case, CaseIn<3>> shapes;
 };
 
 struct Record {

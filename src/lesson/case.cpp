@@ -385,16 +385,20 @@ class CaseReader {
   int broken_ = 0;
 };
 
-std::string points_json(const std::vector<Vector2d>& points) {
-  std::vector<std::string> pairs;
-  for (const Vector2d& point : points) {
+template <int D>
+std::string points_json(const std::vector<gjk::Vec<double, D>>& points) {
+  std::vector<std::string> written;
+  for (const gjk::Vec<double, D>& point : points) {
     assert(point.allFinite());
-    pairs.push_back(fmt::format("[{}, {}]", decimal(point.x()), decimal(point.y())));
+    std::vector<std::string> numbers;
+    for (const double value : point) numbers.push_back(decimal(value));
+    written.push_back(fmt::format("[{}]", fmt::join(numbers, ", ")));
   }
-  return fmt::format("[{}]", fmt::join(pairs, ", "));
+  return fmt::format("[{}]", fmt::join(written, ", "));
 }
 
-LessonShape shape_of(const std::vector<Vector2d>& points, std::string name, char letter) {
+template <class Point>
+LessonShape shape_of(const std::vector<Point>& points, std::string name, char letter) {
   LessonShape shape;
   shape.name = std::move(name);
   shape.vertices = in_space(points);
@@ -594,26 +598,37 @@ std::optional<ReadCase> paired_case(const NamedText& x, const NamedText& y, int 
   return case_of(both, fmt::format("{}, {}", x.file, y.file), most_dimension, outlines, {});
 }
 
-std::string case_json(const Case& value, std::string_view name) {
+template <int D>
+std::string case_json(const CaseIn<D>& value, std::string_view name) {
   std::string out = "{";
   if (!name.empty()) {
     const std::string text = json(name).dump(-1, ' ', false, json::error_handler_t::replace);
     out += fmt::format(R"("name": {}, )", text);
   }
   return out +
-         fmt::format(R"("dimension": 2, "a": {}, "b": {}}})", points_json(value.a),
-                     points_json(value.b)) +
+         fmt::format(R"("dimension": {}, "a": {}, "b": {}}})", D, points_json<D>(value.a),
+                     points_json<D>(value.b)) +
          "\n";
 }
 
-std::optional<std::string> case_json_kept(std::string_view original, const Case& value) {
-  const std::vector<ReadCase> there = parse_cases(original, "");
-  if (there.size() != 1 || !there.front().value || !there.front().understood.empty())
-    return std::nullopt;
+template std::string case_json(const CaseIn<2>& value, std::string_view name);
+template std::string case_json(const CaseIn<3>& value, std::string_view name);
+
+template <int D>
+std::optional<std::string> case_json_kept(std::string_view original, const CaseIn<D>& value) {
+  const std::vector<ReadCase> there = parse_cases(original, "", D);
+  if (there.size() != 1 || !there.front().understood.empty()) return std::nullopt;
+  const CaseIn<D>* before = nullptr;
+  if constexpr (D == 3) {
+    if (there.front().in_space) before = &*there.front().in_space;
+  } else {
+    if (there.front().value) before = &*there.front().value;
+  }
+  if (before == nullptr) return std::nullopt;
   using Ordered = nlohmann::ordered_json;
   Ordered all = Ordered::parse(original.substr(original.starts_with("\xEF\xBB\xBF") ? 3 : 0));
   Ordered& it = all.is_array() ? all[0] : all;
-  const bool moved = there.front().value->a != value.a || there.front().value->b != value.b;
+  const bool moved = before->a != value.a || before->b != value.b;
   if (!moved) return std::string(original);
   std::vector<std::string> untrue;
   for (const auto& [key, each] : it.items()) {
@@ -627,12 +642,17 @@ std::optional<std::string> case_json_kept(std::string_view original, const Case&
       return json.dump(-1, ' ', false, Ordered::error_handler_t::replace);
     };
     out += fmt::format("{}  {}: {}", out.empty() ? "" : ",\n", text(key),
-                       key == "a"   ? points_json(value.a)
-                       : key == "b" ? points_json(value.b)
+                       key == "a"   ? points_json<D>(value.a)
+                       : key == "b" ? points_json<D>(value.b)
                                     : text(each));
   }
   return fmt::format("{}{{\n{}\n}}{}\n", all.is_array() ? "[" : "", out, all.is_array() ? "]" : "");
 }
+
+template std::optional<std::string> case_json_kept(std::string_view original,
+                                                   const CaseIn<2>& value);
+template std::optional<std::string> case_json_kept(std::string_view original,
+                                                   const CaseIn<3>& value);
 
 std::vector<std::string> numbered_names(char letter, std::size_t vertices) {
   std::vector<std::string> out;
@@ -640,13 +660,18 @@ std::vector<std::string> numbered_names(char letter, std::size_t vertices) {
   return out;
 }
 
-Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar) {
+template <int D>
+Lesson lesson_of(const CaseIn<D>& value, std::string_view name, ScalarKind scalar) {
   Lesson lesson = lesson_named(name);
+  lesson.dimension = D;
   lesson.x() = shape_of(value.a, "X", 'x');
   lesson.y() = shape_of(value.b, "Y", 'y');
   lesson.scalar = scalar;
   return lesson;
 }
+
+template Lesson lesson_of(const CaseIn<2>& value, std::string_view name, ScalarKind scalar);
+template Lesson lesson_of(const CaseIn<3>& value, std::string_view name, ScalarKind scalar);
 
 Lesson lesson_of(const OutlineCase& value, std::string_view name) {
   Lesson lesson = lesson_named(name);

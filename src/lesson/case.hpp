@@ -87,20 +87,27 @@ struct NamedText {
                                                   std::optional<models::Needs> outlines);
 
 /// One case on a line of its own, with a line break: its coordinates read back to the same bits.
-/// They must be finite. An empty name is left out.
-[[nodiscard]] std::string case_json(const Case& value, std::string_view name);
+/// They must be finite. An empty name is left out. D: 2 or 3.
+template <int D>
+[[nodiscard]] std::string case_json(const CaseIn<D>& value, std::string_view name);
 
 /// The text of one case with other shapes: its other keys stay, but for those that tell of the
 /// shapes that were there (expected_..., witness_...). Nothing where the text holds no case, more
-/// than one, one that is not in the plane, or one in another form than JSON.
+/// than one, one of another dimension, or one in another form than JSON.
+template <int D>
 [[nodiscard]] std::optional<std::string> case_json_kept(std::string_view original,
-                                                        const Case& value);
+                                                        const CaseIn<D>& value);
 
 /// "x1", "x2", ...: as many as there are vertices.
 [[nodiscard]] std::vector<std::string> numbered_names(char letter, std::size_t vertices);
 
 /// A case as a lesson without words, to run and trace it: vertices x1, x2, ... and y1, y2, ...
-[[nodiscard]] Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar);
+template <int D>
+[[nodiscard]] Lesson lesson_of(const CaseIn<D>& value, std::string_view name, ScalarKind scalar);
+[[nodiscard]] inline Lesson lesson_of(const Case& value, std::string_view name,
+                                      ScalarKind scalar) {
+  return lesson_of<2>(value, name, scalar);
+}
 /// The same of outlines, which must be closed.
 [[nodiscard]] Lesson lesson_of(const OutlineCase& value, std::string_view name);
 

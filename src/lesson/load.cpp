@@ -471,9 +471,12 @@ void LessonReader::check_needs(const Term& term, const Field& field, std::string
     problems_.add(field.place(), fmt::format("{} without a table [{}]", what, term.table),
                   fmt::format("a table [{}]", term.table));
   }
-  if (lesson_.dimension == 3 && !term.in_space) {
-    problems_.add(field.place(), fmt::format("{} of shapes in space", what),
-                  "points [x, y]: it is shown in the plane alone");
+  if (!is_shown_of(term.shown_of, lesson_.dimension)) {
+    const bool is_space = lesson_.dimension == 3;
+    problems_.add(field.place(),
+                  fmt::format("{} of shapes in {}", what, is_space ? "space" : "the plane"),
+                  is_space ? "points [x, y]: it is shown in the plane alone"
+                           : "points [x, y, z]: it is shown in space alone");
   }
   const std::size_t of_x = lesson_.x().vertices.size();
   const std::size_t of_y = lesson_.y().vertices.size();

@@ -13,6 +13,7 @@
 #include "lesson/frame.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/schema.hpp"
+#include "lesson/shown_of.hpp"
 
 namespace gjkscope {
 
@@ -122,7 +123,7 @@ struct Term {
   bool takes_listing = false;   ///< A block that shows `panel.listing`.
   /// It needs every pair of a vertex of X and one of Y: more than limits::kDifferences are refused.
   bool pairs_vertices = false;
-  bool in_space = false;  ///< It can be shown of shapes in space, too.
+  ShownOf shown_of = ShownOf::plane;
 };
 
 struct Vocabulary {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "lesson/shown_of.hpp"
 #include "picture/panel_builder.hpp"
 
 namespace gjkscope {
@@ -17,7 +18,7 @@ struct Block {
   std::string_view act = {};    ///< The act that it goes with; empty: any.
   std::string_view table = {};  ///< The table that it shows; empty: none.
   bool takes_listing = false;
-  bool in_space = false;  ///< It can be shown of shapes in space, too.
+  ShownOf shown_of = ShownOf::plane;
 };
 
 /// The listings that the block `pseudocode` can show.
@@ -26,7 +27,7 @@ struct Listing {
   std::string_view meaning;  ///< The algorithm that it is one of.
   void (*write)(PanelBuilder& panel) = nullptr;
   std::string_view act = {};  ///< The act that it goes with; empty: any.
-  bool in_space = false;      ///< It can be shown of shapes in space, too.
+  ShownOf shown_of = ShownOf::plane;
 };
 
 }  // namespace gjkscope

@@ -227,7 +227,7 @@ std::string SimplexWords::coordinate(gjk::Face face, int vertex) const {
   if (!run_.point_query()) return "weight of " + this->vertex(vertex);
   const std::vector<int> named = order(face);
   const auto position = std::find(named.begin(), named.end(), vertex) - named.begin();
-  std::string out(1, "uvw"[position]);
+  std::string out(1, "uvwt"[position]);
   if (simplex_.count > 2) out += this->face(face);
   return out;
 }

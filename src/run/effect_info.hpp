@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "lesson/shown_of.hpp"
+
 namespace gjkscope {
 
 struct EffectInfo {
@@ -14,7 +16,7 @@ struct EffectInfo {
                                 ///< block does; "frame": any part of a frame may.
   std::string_view act = {};    ///< The act that it goes with; empty: any.
   std::string_view table = {};  ///< The table that it shows; empty: none.
-  bool in_space = false;        ///< It can be shown of shapes in space, too.
+  ShownOf shown_of = ShownOf::plane;
 };
 
 /// The entry of the effect E (run/graph.hpp).
@@ -25,9 +27,9 @@ template <class E>
   return {E::kName, E::kNeeds, summary, used_by, act, table};
 }
 
-/// The entry, of an effect that shapes in space have, too.
-[[nodiscard]] constexpr EffectInfo also_in_space(EffectInfo info) {
-  info.in_space = true;
+/// The entry, of an effect that shapes in space have, too, or alone.
+[[nodiscard]] constexpr EffectInfo shown_of(ShownOf what, EffectInfo info) {
+  info.shown_of = what;
   return info;
 }
 

@@ -79,6 +79,7 @@ PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
     run.bodies = {{at.placements[0], world_vertices(query.x)},
                   {at.placements[1], world_vertices(query.y)}};
     run.time = at.time;
+    run.trace.dimension = D;
     return run;
   });
 }

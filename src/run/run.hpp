@@ -120,6 +120,12 @@ template <int D>
 /// stand in its first run. Finite where they can be drawn (why_not_drawn). Of the plane alone.
 [[nodiscard]] Case case_of(const PositionedRun& run);
 [[nodiscard]] Case case_of(const Lesson& lesson);
+/// Calls `use` with the shapes of a run in their dimension: with a CaseIn<2> or a CaseIn<3>.
+template <class Use>
+decltype(auto) with_case(const PositionedRun& run, const Use& use) {
+  return run.trace.dimension == 3 ? use(CaseIn<3>{run.x().world, run.y().world})
+                                  : use(case_of(run));
+}
 
 /// The run with the shapes where those of run `index` stood, started as the lesson's first run is.
 [[nodiscard]] PositionedRun run_afresh(const LessonRun& run, int index);

@@ -238,7 +238,33 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
   return nearest;
 }
 
-Lesson told_of(Lesson lesson, const Case& shapes) {
+namespace {
+
+/// Takes away what cannot be shown of shapes in space.
+void keep_what_space_has(Lesson& lesson) {
+  const Vocabulary& known = vocabulary();
+  const auto is_of_plane = [](const std::vector<Term>& terms, const std::string& name) {
+    const Term* term = find_term(terms, name);
+    return term == nullptr || !is_shown_of(term->shown_of, 3);
+  };
+  if (!known.act(lesson.act)->needs.in_space) {
+    lesson.act = Lesson().act;
+    lesson.table = {};
+    lesson.phases.clear();
+    lesson.until.reset();
+  }
+  if (is_of_plane(known.listings, lesson.listing)) lesson.listing = listings::kGjk.name;
+  lesson.panel = {std::string(blocks::kPseudocode.name), std::string(blocks::kSimplex.name),
+                  std::string(blocks::kBounds.name)};
+  std::erase_if(lesson.views, [](const LessonView& view) { return !shows_shapes(view.kind); });
+  if (lesson.views.empty())
+    lesson.views = {{ViewKind::world, "", {}, {}}, {ViewKind::difference, "", {}, {}}};
+}
+
+}  // namespace
+
+template <int D>
+Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
   const Lesson plain = lesson_of(shapes, "", lesson.scalar);
   lesson.x() = plain.x();
   lesson.y() = plain.y();
@@ -248,10 +274,21 @@ Lesson told_of(Lesson lesson, const Case& shapes) {
   lesson.expect = {};
   lesson.expect.stop =
       name_of(gjk::StopReason::repeated_support);  // saving writes what it comes to
+  lesson.dimension = plain.dimension;
+  if (D == 3) keep_what_space_has(lesson);
+  for (LessonView& view : lesson.views) {
+    std::erase_if(view.effects, [](const std::string& name) {
+      return !is_shown_of(find_term(vocabulary().effects, name)->shown_of, D);
+    });
+  }
+  std::erase_if(lesson.panel, [](const std::string& name) {
+    return !is_shown_of(find_term(vocabulary().blocks, name)->shown_of, D);
+  });
   const bool are_few = shapes.a.size() * shapes.b.size() <= kMostPairs;
   for (LessonView& view : lesson.views) {
     view.camera.reset();
     view.close_up.reset();
+    view.eye.reset();
     if (are_few) continue;
     std::erase_if(view.effects, [](const std::string& name) {
       return find_term(vocabulary().effects, name)->pairs_vertices;
@@ -259,6 +296,9 @@ Lesson told_of(Lesson lesson, const Case& shapes) {
   }
   return lesson;
 }
+
+template Lesson told_of(Lesson lesson, const CaseIn<2>& shapes);
+template Lesson told_of(Lesson lesson, const CaseIn<3>& shapes);
 
 Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   const std::span<const Act* const> acts = registered_acts();

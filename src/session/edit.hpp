@@ -59,7 +59,9 @@ inline constexpr std::size_t kMostPairs = 100'000;
 
 /// The lesson told of the shapes of a case: what it says of its own is forgotten. Effects of all
 /// differences are, too, where those are more than can be drawn one by one.
-[[nodiscard]] Lesson told_of(Lesson lesson, const Case& shapes);
+/// D: 2 or 3. What shows the plane alone goes with shapes in space.
+template <int D>
+[[nodiscard]] Lesson told_of(Lesson lesson, const CaseIn<D>& shapes);
 
 /// The same shapes, told by the act of an algorithm that follows GJK.
 [[nodiscard]] Lesson told_by(Lesson lesson, const Algorithm& algorithm);
@@ -76,6 +78,6 @@ struct NearestEdge {
 };
 [[nodiscard]] std::optional<NearestEdge> nearest_edge(const std::vector<Eigen::Vector2d>& vertices,
                                                       const std::vector<VertexRange>& outlines,
-                                                      const Eigen::Vector3d& world);
+                                                      const Eigen::Vector2d& world);
 
 }  // namespace gjkscope::edit

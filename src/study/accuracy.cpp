@@ -134,7 +134,7 @@ Row judged_row(const Configuration& configuration, const Family& family, const A
 
   const Answer& answer = asked.answers[worst];
   row.worst.json = case_json(
-      {family.pairs[worst].x, family.pairs[worst].y},
+      Case{family.pairs[worst].x, family.pairs[worst].y},
       family.name + ", seed " + std::to_string(seed) + ", pair " + std::to_string(worst + 1));
   row.worst.answer = answer.refused ? kNoNumber : static_cast<double>(answer.distance);
   row.worst.distance = truths.given()[worst].distance;

@@ -30,17 +30,17 @@ Vocabulary make_vocabulary() {
                           .act = block->act,
                           .table = block->table,
                           .takes_listing = block->takes_listing,
-                          .in_space = block->in_space});
+                          .shown_of = block->shown_of});
   for (const Listing* listing : registered_listings())
     out.listings.push_back(
-        {.name = listing->name, .act = listing->act, .in_space = listing->in_space});
+        {.name = listing->name, .act = listing->act, .shown_of = listing->shown_of});
   for (const EffectInfo* effect : registered_effects()) {
     if (effect->used_by == "view")
       out.effects.push_back({.name = effect->name,
                              .act = effect->act,
                              .table = effect->table,
                              .pairs_vertices = pulls(*effect, MinkowskiCloud::kName),
-                             .in_space = effect->in_space});
+                             .shown_of = effect->shown_of});
   }
   return out;
 }
@@ -107,8 +107,10 @@ bool pulls(const EffectInfo& effect, std::string_view name) {
 std::vector<LegendEntry> legend_entries(const LessonRun& run) {
   std::vector<LegendEntry> list = subjects::run.legend;
   for (const SubjectParts* subject : all_subjects()) {
-    if (std::find(subject->acts.begin(), subject->acts.end(), run.act) == subject->acts.end())
-      continue;
+    const bool has_act =
+        std::find(subject->acts.begin(), subject->acts.end(), run.act) != subject->acts.end();
+    const bool is_of_space = subject == &subjects::space && run.lesson.dimension == 3;
+    if (!has_act && !is_of_space) continue;
     // A subject may give a mark of GJK a meaning of its own.
     for (const LegendEntry& entry : subject->legend) {
       const auto own = std::find_if(list.begin(), list.end(), [&](const LegendEntry& other) {

@@ -20,7 +20,7 @@ struct SubjectParts {
   std::vector<const Layer*> layers = {};
   std::vector<const EffectInfo*> effects = {};
   /// Meanings of its marks, in the order of the legend. Those of `run` count in all lessons, others
-  /// in lessons with one of the subject's acts.
+  /// in lessons with one of the subject's acts, and those of `space` where the lesson is.
   std::vector<LegendEntry> legend = {};
   /// Adds to the words of a step, of any act.
   void (*adds)(const Story& story, FrameText& text) = nullptr;

@@ -271,10 +271,11 @@ std::string Player::open_case(const Asked& asked) {
     return log->lesson->title;
   }
   const std::vector<ReadCase> cases =
-      parse_cases(text, name, 2, std::nullopt, CaseLimits::of_lessons());
-  if (!cases.front().value) throw std::runtime_error(to_string(cases.front().problems));
+      parse_cases(text, name, gjk::kMaxDimension, std::nullopt, CaseLimits::of_lessons());
+  if (!cases.front().problems.empty()) throw std::runtime_error(to_string(cases.front().problems));
   const ReadCase& read = cases.front();
-  const Lesson lesson = edit::told_of(session_.lesson(), *read.value);
+  const Lesson lesson = read.in_space ? edit::told_of(session_.lesson(), *read.in_space)
+                                      : edit::told_of(session_.lesson(), *read.value);
   if (!session_.edit(name, lesson)) {
     std::vector<Problem> problems = why_not_said(lesson);
     if (problems.empty()) throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
@@ -441,7 +442,7 @@ void Player::set_language(const Asked& asked) {
   const auto language = value_of<Language>(asked.text("language"));
   if (!language)
     throw std::runtime_error(fmt::format("there is no language '{}'", asked.text("language")));
-  const auto listing = code::in_language(lesson.listing, *language);
+  const auto listing = code::in_language(lesson, *language);
   if (!listing) throw std::runtime_error("the lesson has no listing with code");
   lesson.listing = *listing;
   change("listing", lesson);

@@ -74,9 +74,9 @@ Json number(const std::string& name, double value) {
   return {name, fmt::format("{}", value), hexadecimal(value)};
 }
 
-void add_point(Json& list, const std::string& name, const Eigen::Vector3d& point) {
-  list.push_back(number(name + ".x", point.x()));
-  list.push_back(number(name + ".y", point.y()));
+void add_point(Json& list, const std::string& name, const Eigen::Vector3d& point, int dimension) {
+  for (int i = 0; i < dimension; ++i)
+    list.push_back(number(fmt::format("{}.{}", name, "xyz"[i]), point[i]));
 }
 
 /// Names and values, as decimals and as hex floats.
@@ -86,12 +86,12 @@ Json numbers(const LessonRun& run, const Frame& frame) {
   Json list = Json::array();
   for (int i = 0; i < state.simplex.count; ++i) {
     const std::string name = run.pair_name(state.simplex.vertices[i].pair);
-    add_point(list, name, state.simplex.vertices[i].w);
+    add_point(list, name, state.simplex.vertices[i].w, run.lesson.dimension);
     if (is_under_way) list.push_back(number("weight of " + name, state.simplex.weights[i]));
   }
   if (is_under_way) {
-    add_point(list, "P", state.p);
-    add_point(list, "d", state.d);
+    add_point(list, "P", state.p, run.lesson.dimension);
+    add_point(list, "d", state.d, run.lesson.dimension);
     list.push_back(number("lower bound", run.bounds(frame).lower));
     list.push_back(number("upper bound", run.bounds(frame).upper));
   }
@@ -113,13 +113,13 @@ Json outcome(Session& session) {
   list.push_back(number("distance", result.distance));
   list.push_back(number("lower bound", result.lower));
   list.push_back(number("upper bound", result.upper));
-  add_point(list, "closest point of " + run.lesson.x().name, result.x);
-  add_point(list, "closest point of " + run.lesson.y().name, result.y);
+  add_point(list, "closest point of " + run.lesson.x().name, result.x, run.lesson.dimension);
+  add_point(list, "closest point of " + run.lesson.y().name, result.y, run.lesson.dimension);
   if (const depth::Result<double>* depth = depth_on_overlap(session.effects(), run, frame)) {
     list.push_back(number("penetration depth", depth->depth));
     list.push_back(number("its lower bound", depth->lower));
     list.push_back(number("its upper bound", depth->upper));
-    add_point(list, "shortest way out of " + run.lesson.x().name, in_space(depth->translation));
+    add_point(list, "shortest way out of " + run.lesson.x().name, in_space(depth->translation), 2);
   }
   for (const auto& [name, value] : {std::pair("verdict", std::string(name_of(result.verdict))),
                                     {"stop", std::string(name_of(result.stop))},
@@ -327,7 +327,7 @@ std::string Player::shown(const std::string& understood) {
     out["panel"] = panel_svg(theme_);
     out["terms"]["panel"] = terms_on(panel(session_.frame(), panel_width_), fonts_, terms_);
   }
-  if (code::in_language(lesson.listing, Language::pseudocode)) {
+  if (code::in_language(lesson, Language::pseudocode)) {
     out["listing"] = {{"language", name_of(code::language_of(lesson.listing))},
                       {"languages", names_of<Language>()}};
   }
@@ -336,7 +336,10 @@ std::string Player::shown(const std::string& understood) {
     for (const VertexChoice& half : question->pair)
       out["question"]["pair"].push_back({{"of", half.shape}, {"vertices", half.vertices}});
   }
-  if (session_.eye()) out["sides"] = kSides;
+  if (const std::optional<Eye> eye = session_.eye()) {
+    out["sides"] = kSides;
+    out["eye"] = {eye->azimuth, eye->elevation};
+  }
   if (!understood.empty()) out["understood"] = understood;
   out["predicting"] = session_.is_predicting();
   if (!session_.answers().empty()) {

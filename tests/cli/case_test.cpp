@@ -288,12 +288,12 @@ TEST(CaseJson, ReadsBackToTheSameBits) {
 TEST(CaseOf, ARunIsTheShapesInTheWorld) {
   Lesson lesson = lesson_of({{Vector2d(1, 0)}, {Vector2d(2, 0), Vector2d(3, 1)}}, "placed",
                             ScalarKind::double_);
-  lesson.x().translate = Vector2d(10, 20);
+  lesson.x().translate = Eigen::Vector3d(10, 20, 0);
   lesson.x().rotate_degrees = 90.0;
   const Case placed = case_of(lesson);
   EXPECT_NEAR(placed.a[0].x(), 10.0, 1e-15);
   EXPECT_EQ(placed.a[0].y(), 21.0);
-  expect_same_bits(placed.b, lesson.y().vertices);
+  expect_same_bits(placed.b, in_plane(lesson.y().vertices));
   for (const ScalarKind scalar :
        {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
     lesson.scalar = scalar;
@@ -305,7 +305,7 @@ TEST(CaseOf, ARunIsTheShapesInTheWorld) {
 
 TEST(CaseOf, AMovingLessonIsWhereItStarts) {
   Lesson lesson = lesson_of({{Vector2d(1, 0)}, {Vector2d(2, 0)}}, "moving", ScalarKind::double_);
-  lesson.path_of_shapes.emplace().x().points = {Vector2d(5, 6), Vector2d(7, 8)};
+  lesson.path_of_shapes.emplace().x().points = {Eigen::Vector3d(5, 6, 0), Eigen::Vector3d(7, 8, 0)};
   EXPECT_EQ(case_of(lesson).a[0], Vector2d(6, 6));
   EXPECT_EQ(case_of(run_lesson(lesson).runs[1]).a[0], Vector2d(8, 8));
 }

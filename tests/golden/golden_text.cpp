@@ -17,7 +17,9 @@ namespace gjkscope::golden {
 namespace {
 
 std::string placement(const std::string& name, const Placement& at) {
-  std::string out = fmt::format("{} at [{}, {}]", name, at.translate.x(), at.translate.y());
+  // In the plane two numbers, as ever.
+  std::string out = fmt::format("{} at [{}, {}", name, at.translate.x(), at.translate.y());
+  out += at.translate.z() == 0.0 ? "]" : fmt::format(", {}]", at.translate.z());
   if (at.rotate_degrees != 0.0) out += fmt::format(" turned by {}", at.rotate_degrees);
   return out;
 }

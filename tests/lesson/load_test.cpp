@@ -91,9 +91,9 @@ TEST(Load, EveryKeyReachesTheLesson) {
   EXPECT_EQ(lesson.x().name, "Left");
   EXPECT_EQ(lesson.x().vertex_names, (std::vector<std::string>{"A", "B", "C"}));
   ASSERT_EQ(lesson.x().vertices.size(), 3u);
-  EXPECT_EQ(lesson.x().vertices[2], Eigen::Vector2d(1.0, 0.1875));
+  EXPECT_EQ(lesson.x().vertices[2], Eigen::Vector3d(1.0, 0.1875, 0.0));
   EXPECT_EQ(lesson.x().rotate_degrees, 15.0);
-  EXPECT_EQ(lesson.y().translate, Eigen::Vector2d(0.5, 0.0));
+  EXPECT_EQ(lesson.y().translate, Eigen::Vector3d(0.5, 0.0, 0.0));
   EXPECT_EQ(lesson.y().rotate_degrees, -30.0);
   EXPECT_EQ(lesson.scalar, ScalarKind::single);
   const gjk::Options& options = lesson.options;
@@ -114,13 +114,13 @@ TEST(Load, EveryKeyReachesTheLesson) {
   ASSERT_EQ(lesson.views.size(), 2u);
   EXPECT_EQ(lesson.views[0].title, "World: X and Y");
   ASSERT_TRUE(lesson.views[0].camera);
-  EXPECT_EQ(lesson.views[0].camera->center, Eigen::Vector2d(2, 1));
+  EXPECT_EQ(lesson.views[0].camera->center, Eigen::Vector3d(2, 1, 0));
   EXPECT_EQ(lesson.views[0].camera->height, 6.0);
   EXPECT_EQ(lesson.views[0].effects, (std::vector<std::string>{"voronoi-regions", "history"}));
   EXPECT_EQ(lesson.views[1].kind, ViewKind::difference);
   EXPECT_FALSE(lesson.views[1].close_up);
   ASSERT_TRUE(lesson.views[0].close_up);
-  EXPECT_EQ(*lesson.views[0].close_up, (CloseUp{{{0, -1}, 1e-9}, CardCorner::top_left}));
+  EXPECT_EQ(*lesson.views[0].close_up, (CloseUp{{{0, -1, 0}, 1e-9}, CardCorner::top_left}));
   EXPECT_EQ(lesson.panel, (std::vector<std::string>{"pseudocode", "weights"}));
   EXPECT_EQ(lesson.listing, "gjk");
   EXPECT_EQ(lesson.expect.stop, "no-progress");

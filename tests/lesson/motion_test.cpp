@@ -10,7 +10,7 @@
 namespace gjkscope {
 namespace motion_test {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 const std::string kMotion = R"(title = "Two squares"
 chapter = 4
@@ -74,7 +74,7 @@ TEST(Motion, ReachesTheLesson) {
   EXPECT_EQ(path.frames, 9);
   EXPECT_EQ(path.x().points.size(), 2u);
   EXPECT_TRUE(path.x().turns.empty());
-  EXPECT_EQ(path.y().points[2], Vector2d(3, 2));
+  EXPECT_EQ(path.y().points[2], Vector3d(3, 2, 0));
   EXPECT_EQ(path.y().turns, (std::vector<double>{0.0, 90.0, -30.0}));
   EXPECT_TRUE(lesson.warm_start);
 }
@@ -84,18 +84,18 @@ TEST(Motion, CornersComeAtEqualTimesAndFramesAtEqualStepsOfTime) {
   ASSERT_EQ(run.runs.size(), 9u);
   for (int i = 0; i < 9; ++i) {
     EXPECT_EQ(run.runs[i].time, 0.5 * i);
-    EXPECT_EQ(run.runs[i].x().placement.translate, Vector2d(0.0, i / 8.0));
+    EXPECT_EQ(run.runs[i].x().placement.translate, Vector3d(0.0, i / 8.0, 0));
     EXPECT_EQ(run.runs[i].x().placement.rotate_degrees, 10.0) << "X moves and keeps its turn";
   }
   // Halfway to the second corner Y has only turned: a leg of no length takes its time, too.
-  EXPECT_EQ(run.runs[2].y().placement.translate, Vector2d(5, 0));
+  EXPECT_EQ(run.runs[2].y().placement.translate, Vector3d(5, 0, 0));
   EXPECT_EQ(run.runs[2].y().placement.rotate_degrees, 45.0);
   EXPECT_EQ(run.runs[4].y().placement.rotate_degrees, 90.0);
-  EXPECT_EQ(run.runs[6].y().placement.translate, Vector2d(4, 1));
+  EXPECT_EQ(run.runs[6].y().placement.translate, Vector3d(4, 1, 0));
   EXPECT_EQ(run.runs[6].y().placement.rotate_degrees, 30.0);
   // K = (-1, -0.5), turned by 90 degrees and moved to (5, 0).
-  EXPECT_LT((in_plane(run.runs[4].y().world[0]) - Vector2d(5.5, -1.0)).norm(), 1e-15);
-  EXPECT_EQ(run.runs[8].y().placement.translate, Vector2d(3, 2));
+  EXPECT_LT((in_plane(run.runs[4].y().world[0]) - Eigen::Vector2d(5.5, -1.0)).norm(), 1e-15);
+  EXPECT_EQ(run.runs[8].y().placement.translate, Vector3d(3, 2, 0));
   EXPECT_EQ(run.frames.size(), 9u);
 }
 

@@ -101,7 +101,7 @@ TEST(Patch, WhatDoesNotChangeIsTheSameBytes) { EXPECT_EQ(kMine, kept(kMine, less
 
 TEST(Patch, AMovedVertexChangesItsOwnLineAlone) {
   Lesson moved = lesson(kMine);
-  moved.x().vertices[1] = {1.25, -0.5};
+  moved.x().vertices[1] = {1.25, -0.5, 0.0};
   const std::string text = kept(kMine, moved);
   EXPECT_EQ(std::vector<std::string>{"  [1.25, -0.5],  # B, [not] a list"}, without(text, kMine));
   EXPECT_EQ(std::vector<std::string>{"  [ 1.50 , 0 ],  # B, [not] a list"}, without(kMine, text));

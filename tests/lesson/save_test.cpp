@@ -25,7 +25,7 @@
 namespace gjkscope {
 namespace save_test {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 LoadedLesson parse(const std::string& text, const std::filesystem::path& folder = {}) {
   return parse_lesson(text, folder / "saved.toml", vocabulary());
@@ -177,7 +177,7 @@ TEST(SavedLesson, HasNoLineTooLongWhereItCanBeBroken) {
   Lesson wide = lesson(kWritten);
   wide.prose.clear();
   while (wide.prose.size() < 290) wide.prose += "twelve chars ";
-  wide.y().vertices.resize(600, Vector2d(-1.0 / 3.0, 1e-300));
+  wide.y().vertices.resize(600, Vector3d(-1.0 / 3.0, 1e-300, 0.0));
   wide.y().vertex_names = default_vertex_names(wide.y(), "Y");
   const std::string text = lesson_toml(wide);
   std::size_t longest = 0;
@@ -193,8 +193,8 @@ TEST(SavedLesson, KeepsTheBitsOfNumbers) {
                            0x1p53, 0x1p53 + 2, 1e17,      1e18,      -0x1.23456789abcdep-40};
   Lesson saved = lesson(testing::readme_example());
   for (const double value : values) {
-    saved.y().vertices[0] = Vector2d(value, -value);
-    saved.y().translate = Vector2d(-value, value);
+    saved.y().vertices[0] = Vector3d(value, -value, 0.0);
+    saved.y().translate = Vector3d(-value, value, 0.0);
     const Lesson read = lesson(lesson_toml(saved));
     EXPECT_EQ(std::bit_cast<std::uint64_t>(read.y().vertices[0].x()),
               std::bit_cast<std::uint64_t>(value));
@@ -209,7 +209,7 @@ TEST(SavedLesson, OfTheLargestShapesCanBeRead) {
   Lesson largest = lesson(testing::readme_example());
   largest.x().name = "X";
   for (LessonShape* shape : {&largest.x(), &largest.y()}) {
-    shape->vertices.assign(10000, Vector2d(-1.2345678901234567e-300, -1.2345678901234567e-299));
+    shape->vertices.assign(10000, Vector3d(-1.2345678901234567e-300, -1.2345678901234567e-299, 0.0));
     shape->vertex_names = default_vertex_names(*shape, shape == &largest.x() ? "X" : "Y");
   }
   // Other names than those that a file need not tell, as long as names can be.
@@ -221,7 +221,7 @@ TEST(SavedLesson, OfTheLargestShapesCanBeRead) {
 }
 
 TEST(SavedLesson, OfACaseSaysWhatItLacks) {
-  const Case value{{Vector2d(0, 0)}, {Vector2d(3, 4), Vector2d(5, 6)}};
+  const Case value{{{0, 0}}, {{3, 4}, {5, 6}}};
   Lesson saved = lesson_of(value, "pasted", ScalarKind::half);
   std::string missing;
   for (const Problem& problem : parse(lesson_toml(saved)).problems) missing += problem.what + "\n";
@@ -291,14 +291,14 @@ double any_number(Random& random, double largest) {
   return std::abs(value) <= largest ? value : -0.0;
 }
 
-Vector2d any_point(Random& random, double largest) {
+Vector3d any_point(Random& random, double largest) {
   const double x = any_number(random, largest);
-  return {x, any_number(random, largest)};
+  return {x, any_number(random, largest), 0.0};
 }
 
-std::vector<Vector2d> any_points(Random& random, std::size_t least, std::size_t most) {
-  std::vector<Vector2d> points(least + below(random, most - least + 1));
-  for (Vector2d& point : points) point = any_point(random, 1e18);
+std::vector<Vector3d> any_points(Random& random, std::size_t least, std::size_t most) {
+  std::vector<Vector3d> points(least + below(random, most - least + 1));
+  for (Vector3d& point : points) point = any_point(random, 1e18);
   return points;
 }
 
@@ -380,8 +380,8 @@ Lesson any_lesson(Random& random) {
     if (path.seconds && one_in(random, 2)) path.y() = any_motion(random);
     if (path.y().points.empty() || one_in(random, 2)) path.x() = any_motion(random);
     if (!path.seconds) path.x().turns.clear();
-    if (!path.x().points.empty()) out.x().translate = Vector2d::Zero();
-    if (!path.y().points.empty()) out.y().translate = Vector2d::Zero();
+    if (!path.x().points.empty()) out.x().translate = Vector3d::Zero();
+    if (!path.y().points.empty()) out.y().translate = Vector3d::Zero();
     out.x().rotate_degrees = 0.0;
     out.y().rotate_degrees = 0.0;
     out.warm_start = one_in(random, 2);

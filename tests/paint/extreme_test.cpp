@@ -30,9 +30,9 @@ TEST(ExtremeLessons, ArePaintedWhateverTheCameraAndTheSizeOfShapes) {
       for (const double size : {1e-12, 1.0, 1e17}) {
         if (lesson.scalar != ScalarKind::double_ && size != 1.0) continue;
         Lesson extreme = lesson;
-        for (Eigen::Vector2d& vertex : extreme.x().vertices) vertex *= size;
-        for (Eigen::Vector2d& vertex : extreme.y().vertices) vertex *= size;
-        for (LessonView& view : extreme.views) view.camera = Camera{{0.25, -camera}, camera};
+        for (Eigen::Vector3d& vertex : extreme.x().vertices) vertex *= size;
+        for (Eigen::Vector3d& vertex : extreme.y().vertices) vertex *= size;
+        for (LessonView& view : extreme.views) view.camera = Camera{{0.25, -camera, 0.0}, camera};
         const LessonRun run = run_lesson(extreme);
         EffectGraph effects(run);
         LessonPictures pictures(run, effects, fonts, {}, LabelScope::frame);

@@ -370,7 +370,7 @@ TEST(Legend, OnAStageHidesNoVertex) {
 }
 
 TEST(StageMap, DrawsYAsManyTimesLargerAsTheCameraSays) {
-  const StageMap map({{0.0, 0.0}, {200.0, 100.0}}, {{5.0, 1.0}, 2.0, 10.0});
+  const StageMap map({{0.0, 0.0}, {200.0, 100.0}}, {{5.0, 1.0, 0.0}, 2.0, 10.0});
   EXPECT_EQ(map(Eigen::Vector2d(5.0, 1.0)), Point(100.0, 50.0));
   EXPECT_EQ(map(Eigen::Vector2d(5.0, 2.0)), Point(100.0, 0.0));
   EXPECT_EQ(map(Eigen::Vector2d(15.0, 1.0)), Point(150.0, 50.0));
@@ -947,7 +947,7 @@ TEST(TwoRuns, NumbersThatDifferAreWrittenApart) {
 TEST(Panel, SmallValuesAreNoZerosInTheListing) {
   Lesson lesson = testing::shipped_lesson("polygons-gjk");
   for (LessonShape& shape : lesson.bodies) {
-    for (Eigen::Vector2d& vertex : shape.vertices) vertex *= 1e-6;
+    for (Eigen::Vector3d& vertex : shape.vertices) vertex *= 1e-6;
   }
   lesson.expect = {};
   const LessonRun run = run_lesson(lesson);

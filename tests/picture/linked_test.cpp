@@ -233,11 +233,11 @@ TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
   EXPECT_EQ(pictures_of(shipped).back().text.caption, touches);
 
   // A step towards the obstacle, and one away from it.
-  Eigen::Vector2d& goal = lesson.path_of_shapes->x().points.back();
-  goal += 0.125 * in_plane(outwards);
+  Eigen::Vector3d& goal = lesson.path_of_shapes->x().points.back();
+  goal += 0.125 * outwards;
   EXPECT_EQ(pictures_of(run_lesson(lesson)).back().text.caption,
             "The robot and the obstacle overlap: p lies inside the grown obstacle, O inside Z.");
-  goal -= 0.25 * in_plane(outwards);
+  goal -= 0.25 * outwards;
   EXPECT_TRUE(
       pictures_of(run_lesson(lesson)).back().text.caption.starts_with("The robot moved by"));
   // Vertex on vertex.

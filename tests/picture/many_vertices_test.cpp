@@ -36,10 +36,10 @@ Lesson lesson_of_many(int count) {
   lesson.x().vertex_names.clear();
   for (int i = 0; i < count; ++i) {
     const double turn = 2.0 * std::numbers::pi * i / count;
-    lesson.x().vertices.emplace_back(3.0 * std::cos(turn), 3.0 * std::sin(turn));
+    lesson.x().vertices.emplace_back(3.0 * std::cos(turn), 3.0 * std::sin(turn), 0.0);
     lesson.x().vertex_names.push_back(fmt::format("x{}", i + 1));
   }
-  lesson.y().vertices = {{5.0, 5.0}, {6.0, 5.0}};
+  lesson.y().vertices = {{5.0, 5.0, 0.0}, {6.0, 5.0, 0.0}};
   lesson.y().vertex_names = {"y1", "y2"};
   return lesson;
 }
@@ -135,7 +135,7 @@ Lesson lesson_of_scribbles(int count) {
     shape.vertex_names.clear();
     for (int i = 0; i < count; ++i) {
       const double x = coordinate(random) + (body == 0 ? -4.0 : 4.0);
-      shape.vertices.emplace_back(x, coordinate(random));
+      shape.vertices.emplace_back(x, coordinate(random), 0.0);
       shape.vertex_names.push_back(fmt::format("{}{}", body == 0 ? "x" : "y", i + 1));
     }
   }

@@ -95,7 +95,7 @@ TEST(QuestionFrames, OfferTheRegionsNotRuledOutInAnOrderThatDoesNotGiveTheAnswer
       {{0.3, 2.4}, "C", {"AB", "ABC", "BC", "C", "CA"}},
   };
   for (const Case& one : cases) {
-    lesson.x().vertices = {one.q};
+    lesson.x().vertices = {in_space(one.q)};
     const std::vector<Asked> all = asked(lesson);
     ASSERT_EQ(all.size(), 1u) << one.answer;
     EXPECT_EQ(all[0].question.question->choices, one.choices) << one.answer;

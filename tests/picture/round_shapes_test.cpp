@@ -26,7 +26,7 @@ Lesson lesson_with_y_moved_by(const Vector2d& by) {
   static const Lesson kShipped = testing::told_lesson("round-shapes");
   Lesson lesson = kShipped;
   lesson.path_of_shapes.reset();
-  lesson.y().translate = by;
+  lesson.y().translate = in_space(by);
   return lesson;
 }
 
@@ -166,7 +166,7 @@ TEST(RoundShapes, OutlinesTurnOnceAroundHoweverThinTheShapeIs) {
         Points{{0, 0}, {1, 1e-17}, {0.5, -1e-17}}, Points{{0, 0}, {1, 1e-300}, {2, -1e-300}},
         Points{{0, 0}, {1, 1e-16}, {2, 1e-16}, {3, 0}}}) {
     Lesson lesson = lesson_with_y_moved_by({0.0, 4.0});
-    lesson.x().vertices = vertices;
+    lesson.x().vertices = in_space(vertices);
     lesson.x().vertex_names = {"A", "B", "C", "D"};
     lesson.x().vertex_names.resize(vertices.size());
     const LessonRun run = run_lesson(lesson);

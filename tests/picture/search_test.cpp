@@ -44,7 +44,7 @@ TEST(SearchFrames, AVertexThatIsMovedBuildsTheTreesAnew) {
     SCOPED_TRACE(id);
     Lesson lesson = testing::shipped_lesson(id);
     const LessonRun before = run_lesson(lesson);
-    lesson.y().vertices[4] = {-2.0, 0.1};
+    lesson.y().vertices[4] = {-2.0, 0.1, 0.0};
     const LessonRun after = run_lesson(lesson);
     const SearchTold& search = *search_told(after, 0);
     expect_truth(search);
@@ -167,7 +167,7 @@ TEST(MethodsFrames, AllMethodsAgreeAndMemoryDoesNotHurt) {
 
 TEST(MethodsFrames, AgreeWhereShapesPassThroughEachOther) {
   Lesson lesson = testing::shipped_lesson("methods-motion");
-  lesson.path_of_shapes->y().points = {{3.4, -2.6}, {-1.0, -0.4}, {1.2, 3.6}};
+  lesson.path_of_shapes->y().points = {{3.4, -2.6, 0}, {-1.0, -0.4, 0}, {1.2, 3.6, 0}};
   const LessonRun run = run_lesson(lesson);
   int overlaps = 0;
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
@@ -181,7 +181,7 @@ TEST(MethodsFrames, AgreeWhereShapesPassThroughEachOther) {
 
 TEST(MethodsFrames, SayWhichShapeTheyDoNotTake) {
   Lesson lesson = testing::shipped_lesson("methods-motion");
-  lesson.y().vertices[0] = {0.0, 0.0};
+  lesson.y().vertices[0] = {0.0, 0.0, 0.0};
   const LessonRun run = run_lesson(lesson);
   EffectGraph effects(run);
   EXPECT_EQ(lesson_texts(run, effects).front().caption, "Not all methods take Y: not convex.");

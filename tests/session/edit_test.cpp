@@ -30,9 +30,9 @@ std::vector<Vector2d> world(const Lesson& lesson, std::size_t body) {
 TEST(Edit, AVertexOfATurnedShapeGoesWhereItIsPut) {
   Lesson lesson = shipped_lesson("polygons-gjk");
   lesson.y().rotate_degrees = 30.0;
-  lesson.y().translate = {0.5, -0.25};
+  lesson.y().translate = {0.5, -0.25, 0.0};
   const LessonRun run = run_lesson(lesson);
-  edit::put_vertex(lesson, 1, 2, run.runs.front().y().placement, {1.0, 4.0});
+  edit::put_vertex(lesson, 1, 2, run.runs.front().y().placement, {1.0, 4.0, 0.0});
   EXPECT_LT((world(lesson, 1)[2] - Vector2d(1.0, 4.0)).norm(), 1e-12);
   EXPECT_LT((world(lesson, 1)[1] - in_plane(run.runs.front().y().world[1])).norm(), 1e-12);
 }
@@ -42,7 +42,7 @@ TEST(Edit, AShapeMovesAsAWhole) {
     Lesson lesson = shipped_lesson("polygons-gjk");
     if (turned) lesson.x().rotate_degrees = 10.0;
     const auto before = world(lesson, 0);
-    edit::move_shape(lesson, 0, {0.5, -2.0});
+    edit::move_shape(lesson, 0, {0.5, -2.0, 0.0});
     const auto after = world(lesson, 0);
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_LT((after[i] - before[i] - Vector2d(0.5, -2.0)).norm(), 1e-12);
@@ -52,7 +52,7 @@ TEST(Edit, AShapeMovesAsAWhole) {
 TEST(Edit, AShapeOnAPathTakesThePathWithIt) {
   Lesson lesson = shipped_lesson("segment-regions");
   const LessonRun before = run_lesson(lesson);
-  edit::move_shape(lesson, 0, {1.0, 0.5});
+  edit::move_shape(lesson, 0, {1.0, 0.5, 0.0});
   const LessonRun after = run_lesson(lesson);
   ASSERT_EQ(before.runs.size(), after.runs.size());
   for (std::size_t i = 0; i < before.runs.size(); ++i)
@@ -80,7 +80,8 @@ TEST(Edit, ANewVertexHasANameOfItsOwnAndStartPairsKeepTheirVertices) {
   const gjk::VertexPair start = lesson.options.start.pairs[0];
   const std::string of_x = lesson.x().vertex_names[static_cast<std::size_t>(start.x)];
   const LessonRun run = run_lesson(lesson);
-  const int index = edit::insert_vertex(lesson, 0, 0, run.runs.front().x().placement, {-3.0, -1.0});
+  const int index =
+      edit::insert_vertex(lesson, 0, 0, run.runs.front().x().placement, {-3.0, -1.0, 0.0});
   EXPECT_EQ(1, index);
   EXPECT_EQ(6u, lesson.x().vertices.size());
   std::set<std::string> names(lesson.x().vertex_names.begin(), lesson.x().vertex_names.end());
@@ -110,14 +111,14 @@ TEST(Edit, AShapeBecomesAnotherInItsPlaceAndAsLarge) {
   lesson.x().vertex_names = {"R", "S", "T"};
   edit::reshape(lesson, 0, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
   const std::vector<Vector2d> box = {{1, -0.5}, {5, -0.5}, {5, 3.5}, {1, 3.5}};
-  EXPECT_EQ(box, lesson.x().vertices);
+  EXPECT_EQ(box, in_plane(lesson.x().vertices));
   EXPECT_EQ("T", lesson.x().vertex_names[2]);
   EXPECT_EQ(4u, lesson.x().vertex_names.size());
   edit::reshape(lesson, 0, {{0, 0}});
-  EXPECT_EQ(std::vector<Vector2d>({{3, 1.5}}), lesson.x().vertices);
+  EXPECT_EQ(std::vector<Vector2d>({{3, 1.5}}), in_plane(lesson.x().vertices));
   lesson.y().vertices = {{0, 0}, {6, 0}, {0, 2}, {1, 1}};
   edit::reshape(lesson, 0, {{-1, 0}, {1, 0}});
-  EXPECT_EQ(std::vector<Vector2d>({{0, 1.5}, {6, 1.5}}), lesson.x().vertices)
+  EXPECT_EQ(std::vector<Vector2d>({{0, 1.5}, {6, 1.5}}), in_plane(lesson.x().vertices))
       << "a point has no size: that of Y";
   EXPECT_EQ(gjk::Error::none, run_lesson(lesson).runs.front().trace.result.error);
 }
@@ -158,13 +159,13 @@ TEST(Edit, RandomPairsAreConvexKeepTheirSizeAndOverlapOrNot) {
                            static_cast<std::uint64_t>(seed));
     ASSERT_TRUE(why_not_said(lesson).empty()) << to_string(why_not_said(lesson));
     for (const LessonShape& shape : lesson.bodies) {
-      EXPECT_TRUE(is_convex(shape.vertices));
+      EXPECT_TRUE(is_convex(in_plane(shape.vertices)));
       counts.insert(shape.vertices.size());
     }
     if (seed > 1) {
-      EXPECT_NEAR(x_width, width(lesson.x().vertices), 1e-9);
+      EXPECT_NEAR(x_width, width(in_plane(lesson.x().vertices)), 1e-9);
     }
-    x_width = width(lesson.x().vertices);
+    x_width = width(in_plane(lesson.x().vertices));
     if (run_lesson(lesson).runs.front().trace.result.distance == 0.0) ++overlapping;
   }
   EXPECT_GT(overlapping, kPairs / 10);

@@ -29,7 +29,7 @@ class HandTest : public ::testing::Test {
     const LessonPictures::ShownView shown = session.views()[view];
     return StageMap(shown.card, shown.camera)(point);
   }
-  [[nodiscard]] const std::vector<Vector2d>& y() const { return session.lesson().y().vertices; }
+  [[nodiscard]] std::vector<Vector2d> y() const { return in_plane(session.lesson().y().vertices); }
   [[nodiscard]] Vector2d middle_of_y() const {
     return centroid(in_plane(session.run().run(session.frame()).y().world));
   }
@@ -50,7 +50,7 @@ TEST_F(HandTest, PlacesOfAViewAndOfThePageAreTheSame) {
   for (const std::size_t view : {0u, 1u}) {
     const Vector2d point(0.25, -0.5);
     EXPECT_EQ(view, hand.view_at(session.views()[view].card.center()));
-    EXPECT_LT((hand.to_view(view, at(point, view)) - point).norm(), 1e-12);
+    EXPECT_LT((in_plane(hand.to_view(view, at(point, view))) - point).norm(), 1e-12);
   }
   EXPECT_FALSE(hand.view_at({-1.0, -1.0}));
 }
@@ -66,7 +66,7 @@ TEST_F(HandTest, BesideAnEdgeThereIsAVertexToAdd) {
   ASSERT_EQ(added->lesson.y().vertices.size(), y().size() + 1);
   const Lesson& changed = added->lesson;
   const Placement placed = session.run().run(session.frame()).y().placement;
-  EXPECT_LT((changed.y().vertices[1] - edit::to_local(placed, middle)).norm(), 1e-9);
+  EXPECT_LT((changed.y().vertices[1] - edit::to_local(placed, in_space(middle))).norm(), 1e-9);
   EXPECT_FALSE(hand.with_vertex(at(middle_of_y()), false)) << "far from all edges";
   EXPECT_FALSE(hand.with_vertex(at(middle, 1), false)) << "the difference has no edges of its own";
 }

@@ -39,7 +39,7 @@ bool change(Session& session, const std::string& name, const std::function<void(
 
 void move_y(Session& session, double by) {
   EXPECT_TRUE(change(session, "move", [&](Lesson& lesson) {
-    edit::move_shape(lesson, 1, {by, 0.0});
+    edit::move_shape(lesson, 1, {by, 0.0, 0.0});
   }));
 }
 
@@ -81,7 +81,7 @@ TEST(Session, ADragIsOneEntry) {
   const Lesson before = session.lesson();
   session.begin_drag("drag");
   for (int i = 0; i < 20; ++i)
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.01, 0.0}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.01, 0.0, 0.0}); });
   session.end_drag();
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(before, session.lesson());
@@ -96,7 +96,7 @@ Lesson large_lesson() {
   lesson.x().vertex_names.clear();
   for (int i = 0; i < kVertices; ++i) {
     const double turn = 2.0 * std::numbers::pi * i / kVertices;
-    lesson.x().vertices.emplace_back(std::cos(turn), std::sin(turn));
+    lesson.x().vertices.emplace_back(std::cos(turn), std::sin(turn), 0.0);
     lesson.x().vertex_names.push_back(std::to_string(i));
   }
   return lesson;
@@ -104,7 +104,7 @@ Lesson large_lesson() {
 
 void drag_y(Session& session, double by) {
   session.begin_drag("drag");
-  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {by, 0.0}); });
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {by, 0.0, 0.0}); });
 }
 
 TEST(Session, ADragBesideComesToWhatOneThatIsWaitedForComesTo) {
@@ -121,7 +121,7 @@ TEST(Session, ADragBesideComesToWhatOneThatIsWaitedForComesTo) {
   const auto first = session.work();
   EXPECT_FALSE(session.work()) << "one after the other";
   for (Session* each : {&waiting, &session})
-    each->drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.0}); });
+    each->drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.0, 0.0}); });
   session.take_work(first());
   EXPECT_NE(session.run().lesson.y().vertices, session.lesson().y().vertices);
   session.take_work(session.work()());
@@ -195,7 +195,7 @@ TEST(Session, TheRunFollowsADragToTheBit) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   session.begin_drag("drag");
   for (int i = 0; i < 10; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {-0.1, 0.03}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {-0.1, 0.03, 0.0}); });
     const LessonRun fresh = run_lesson(session.lesson());
     EXPECT_EQ(fresh.runs[0].trace.result.distance, session.run().runs[0].trace.result.distance);
   }
@@ -234,7 +234,7 @@ TEST(Session, AfterAnEditTheSamePhaseAndIterationOfAnyAlgorithmStay) {
       session.go_to(session.frame_count() / 2);
       const auto was = where();
       ASSERT_TRUE(
-          change(session, "move", [&](Lesson& lesson) { edit::move_shape(lesson, 1, by); }));
+          change(session, "move", [&](Lesson& lesson) { edit::move_shape(lesson, 1, in_space(by)); }));
       const auto now = where();
       bool is_there = false;
       for (int i = 0; i < session.frame_count(); ++i) {
@@ -363,7 +363,7 @@ TEST(Session, PanningZoomingFittingAndResizingRunNothing) {
     const LessonRun* const run = &session.run();
     for (std::size_t view = 0; view < session.views().size(); ++view) {
       Camera camera = session.views()[view].camera;
-      camera.center += Vector2d(0.25, -0.5);
+      camera.center += Eigen::Vector3d(0.25, -0.5, 0.0);
       camera.height *= 1.5;
       session.set_camera(view, camera);
       (void)session.picture();
@@ -624,7 +624,7 @@ TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
     session.set_page(page_of(width, height));
     session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
     EXPECT_NEAR(5.0, session.views()[0].camera.height, 1e-9);
-    EXPECT_EQ(Vector2d(1.0, -2.0), session.views()[0].camera.center);
+    EXPECT_EQ(Eigen::Vector3d(1.0, -2.0, 0.0), session.views()[0].camera.center);
     // Looking elsewhere does not change the shapes that are saved.
     EXPECT_FALSE(session.is_unsaved());
   }
@@ -637,7 +637,7 @@ TEST(Session, WhatWasInSightStaysInSightOnAnotherPage) {
   const std::vector<Page> pages = {{760.0, 900.0, 1.0}, {1160.0, 760.0, 1.0}, {760.0, 900.0, 1.0}};
   session.set_page(pages.front());
   session.begin_drag("drag");
-  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.25}); });
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.25, 0.0}); });
   session.end_drag();
   const std::vector<LessonPictures::ShownView> before = session.views();
   for (const Page& page : pages) {
@@ -673,7 +673,7 @@ TEST(Session, TheLegendStaysWhileShapesAreDragged) {
   ASSERT_GE(before.size(), 2u);
   session.begin_drag("drag");
   for (int i = 0; i < 2; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.01, 0.0}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.01, 0.0, 0.0}); });
     EXPECT_EQ(before, legend());
   }
   session.end_drag();
@@ -690,7 +690,7 @@ TEST(Session, CardsKeepTheirPlaceUnderAHand) {
     const std::vector<LessonPictures::ShownView> before = session.views();
     session.begin_drag("drag");
     for (int i = 0; i < 40; ++i) {
-      session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, by); });
+      session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, in_space(by)); });
       for (std::size_t k = 0; k < before.size(); ++k)
         ASSERT_EQ(before[k].card, session.views()[k].card) << i;
     }
@@ -707,7 +707,7 @@ TEST(Session, ViewsStandStillWhileShapesMove) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   const Camera before = session.views()[1].camera;
   session.begin_drag("drag");
-  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.25}); });
+  session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.25, 0.25, 0.0}); });
   EXPECT_NEAR(before.height, session.views()[1].camera.height, 1e-9);
   EXPECT_LT((before.center - session.views()[1].camera.center).norm(), 1e-9);
   session.end_drag();
@@ -720,13 +720,13 @@ TEST(Session, TheDifferenceStaysInSightWhileShapesAreDragged) {
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   session.begin_drag("drag");
   for (int i = 0; i < 40; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25, 0.0}); });
     const LessonPictures::ShownView view = session.views()[1];
     const PositionedRun& run = session.run().run(session.frame());
     for (const Vector2d& y : in_plane(run.y().world)) {
       for (const Vector2d& x : in_plane(run.x().world)) {
         const Vector2d off =
-            (y - x - view.camera.center) * (view.card.size().y() / view.camera.height);
+            (y - x - in_plane(view.camera.center)) * (view.card.size().y() / view.camera.height);
         EXPECT_LE(std::abs(off.x()), 0.5 * view.card.size().x());
         EXPECT_LE(std::abs(off.y()), 0.5 * view.card.size().y());
       }
@@ -744,7 +744,7 @@ TEST(Session, ADragKeepsTheZoomThatSomebodyChose) {
   for (const std::optional<size_t>& held : {std::optional<size_t>(), std::optional<size_t>(1)}) {
     session.begin_drag("drag", held);
     for (int i = 0; i < 10; ++i) {
-      session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
+      session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25, 0.0}); });
       EXPECT_EQ(near.height, session.views()[1].camera.height);
       EXPECT_EQ(near.center, session.views()[1].camera.center);
     }
@@ -759,7 +759,7 @@ TEST(Session, TheViewUnderAHandStandsStillUntilItIsLetGo) {
   const Camera before = session.views()[1].camera;
   session.begin_drag("drag", 1);
   for (int i = 0; i < 40; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {0.5, -0.25, 0.0}); });
     EXPECT_LT((before.center - session.views()[1].camera.center).norm(), 1e-9);
   }
   session.end_drag();
@@ -774,7 +774,7 @@ TEST(Session, WhoStandsAtTheLastFrameStaysThere) {
   session.begin_drag("drag");
   std::set<int> counts;
   for (int i = 0; i < 40; ++i) {
-    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {-0.1, 0.02}); });
+    session.drag([&](Lesson& lesson) { edit::move_shape(lesson, 1, {-0.1, 0.02, 0.0}); });
     EXPECT_EQ(session.frame_count() - 1, session.index());
     counts.insert(session.frame_count());
   }
@@ -803,9 +803,9 @@ TEST(Session, ACornerOfAnOutlineMayBeDraggedAnywhere) {
       session.begin_drag("drag");
       // Across its own outline, onto another corner, far away.
       for (const Vector2d& to : {Vector2d(0.0, 0.0), Vector2d(-5.0, 3.0), Vector2d(5.0, -3.0),
-                                 Vector2d(lesson.bodies[body].vertices[1]), Vector2d(1e6, 1.0)}) {
+                                 Vector2d(in_plane(lesson.bodies[body].vertices[1])), Vector2d(1e6, 1.0)}) {
         session.drag([&](Lesson& edited) {
-          edit::put_vertex(edited, body, 0, session.run().runs[0].bodies[body].placement, to);
+          edit::put_vertex(edited, body, 0, session.run().runs[0].bodies[body].placement, in_space(to));
         });
         EXPECT_EQ("", session.problem());
         for (const int place : {0, session.frame_count() / 2, session.frame_count() - 1}) {
@@ -935,7 +935,7 @@ TEST(ManyVertices, AViewThatComesNearNamesWhatIsInSight) {
   };
   EXPECT_LE(disks(), 24u);
   Camera camera = session.views()[0].camera;
-  camera.center = in_plane(session.run().runs[0].x().world[250]);
+  camera.center = session.run().runs[0].x().world[250];
   camera.height /= 12.0;
   session.set_camera(0, camera);
   EXPECT_GT(disks(), 30u);

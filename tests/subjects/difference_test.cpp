@@ -165,7 +165,7 @@ TEST(GrownObstacle, IsAsFarFromThePointAsTheObstacleFromTheRobot) {
     const std::vector<Vector2d> ys = in_plane(at.y().world);
     for (const Vector2d& x : xs) least = std::min(least, distance_to(ys, x));
     for (const Vector2d& y : ys) least = std::min(least, distance_to(xs, y));
-    EXPECT_NEAR(distance_to(grown, at.x().placement.translate), least, 1e-13);
+    EXPECT_NEAR(distance_to(grown, in_plane(at.x().placement.translate)), least, 1e-13);
     EXPECT_NEAR(at.trace.result.distance, least, 1e-13);
   }
 }

@@ -16,9 +16,9 @@ using Eigen::Vector2d;
 /// Q among the corners of an acute or an obtuse triangle.
 LessonRun triangle_and(const Vector2d& q, bool obtuse) {
   Lesson lesson;
-  lesson.x() = {"Q", {"Q"}, {{0.0, 0.0}}, q, 0.0};
+  lesson.x() = {"Q", {"Q"}, {{0.0, 0.0, 0.0}}, in_space(q), 0.0};
   const Vector2d c = obtuse ? Vector2d(3.5, 1.5) : Vector2d(0.5, 1.5);
-  lesson.y() = {"ABC", {"A", "B", "C"}, {{-1.0, -1.0}, {2.0, -0.5}, c}, Vector2d::Zero(), 0.0};
+  lesson.y() = {"ABC", {"A", "B", "C"}, {{-1.0, -1.0, 0.0}, {2.0, -0.5, 0.0}, in_space(c)}, Eigen::Vector3d::Zero(), 0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
   lesson.act = "orders";
   return run_lesson(lesson);
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Corners, Maps, ::testing::Bool(), [](const auto& corner
 
 TEST(RegionOrders, ADegenerateTriangleHasNone) {
   Lesson lesson = triangle_and({1.0, 1.0}, false).lesson;
-  lesson.y().vertices[2] = {0.5, -0.75};
+  lesson.y().vertices[2] = {0.5, -0.75, 0.0};
   const LessonRun run = run_lesson(lesson);
   EffectGraph graph(run);
   EXPECT_TRUE(graph.get<RegionOrders>(run.frames[0]).empty());

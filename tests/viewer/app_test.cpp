@@ -223,7 +223,7 @@ TEST(App, AHandIsHeldToRoundNumbersByGAndByShift) {
   Session& session = window.session();
   const auto is_round = [&] {
     const double step = window.app().picture().grid(0).x();
-    const Eigen::Vector2d& at = session.lesson().y().vertices[0];
+    const Eigen::Vector3d& at = session.lesson().y().vertices[0];
     return at.x() == std::round(at.x() / step) / std::round(1.0 / step) &&
            at.y() == std::round(at.y() / step) / std::round(1.0 / step);
   };
@@ -341,7 +341,7 @@ TEST(App, AShapeAndTheDifferenceMoveAsAWhole) {
   const auto y = session.lesson().y().vertices;
   const Point inside = window.at({Kind::shape_y});
   window.drag(inside, inside + Point(30, 10));
-  const Eigen::Vector2d by = session.lesson().y().vertices[0] - y[0];
+  const Eigen::Vector3d by = session.lesson().y().vertices[0] - y[0];
   EXPECT_GT(by.norm(), 0.05);
   for (std::size_t i = 0; i < y.size(); ++i)
     EXPECT_LT((session.lesson().y().vertices[i] - y[i] - by).norm(), 1e-12);
@@ -614,7 +614,7 @@ TEST(App, ALogOpensBesideTheRunOfGjk) {
 
 TEST(App, UnsavedWorkIsOfferedAndTheNamedLessonOpensAsItIs) {
   const TemporaryFolder folder;
-  std::vector<Eigen::Vector2d> edited;
+  std::vector<Eigen::Vector3d> edited;
   {
     HeadlessApp window("polygons-gjk", folder.path());
     const Point from = window.at(kK);
@@ -1283,7 +1283,7 @@ TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   gjk::Options options = configuration.options;
   options.start.count = configuration.start == study::Start::first_vertices ? 1 : 0;
   EXPECT_TRUE(session.lesson().options == options);
-  EXPECT_EQ(session.lesson().x().vertices, wanted.x);
+  EXPECT_EQ(session.lesson().x().vertices, in_space(wanted.x));
   EXPECT_GT(session.frame_count(), 3) << "it can be stepped";
   EXPECT_TRUE(session.lesson().path.empty()) << "no lesson of the list is open";
   window.key("B");

@@ -429,13 +429,17 @@ TEST(Case, ShowsWhyAndSourceAndComparesItsRun) {
   EXPECT_EQ("", window.app().compared_with_case()) << "these shapes nobody expects anything of";
 }
 
-TEST(Case, InSpaceNamesTheCommandThatAnswers) {
+TEST(Case, InSpaceOpensAndIsSavedAsOne) {
   const TemporaryFolder folder;
   HeadlessApp window;
   window.app().open_path(fs::path(GJKSCOPE_SOURCE_DIR) / "tests" / "hard-cases" / "coal_49.json");
-  EXPECT_NE(std::string::npos, window.app().message().find("gjkscope solve "))
-      << window.app().message();
-  EXPECT_EQ("polygons-gjk", window.session().lesson().id);
+  EXPECT_EQ("coal_49", window.session().lesson().id) << window.app().message();
+  EXPECT_EQ(3, window.session().lesson().dimension);
+  const fs::path saved = folder.path() / "again.json";
+  window.app().save_case(saved);
+  const std::vector<ReadCase> read = parse_cases(read_file(saved), "again.json", 3);
+  ASSERT_TRUE(read.front().in_space);
+  EXPECT_EQ(window.session().lesson().x().vertices, read.front().in_space->a);
 }
 
 TEST(Case, WhatIsNoCaseIsSaidInPlainWords) {
@@ -696,7 +700,7 @@ TEST(Views, ARandomPairIsInSight) {
     for (const auto& body : run.bodies) {
       for (const Eigen::Vector2d& vertex : in_plane(body.world)) {
         const Eigen::Vector2d off =
-            (vertex - world.camera.center)
+            (vertex - in_plane(world.camera.center))
                 .cwiseQuotient(world.camera.units_per_pixel(world.card.size().y()));
         EXPECT_LE(std::abs(off.x()), 0.5 * world.card.size().x());
         EXPECT_LE(std::abs(off.y()), 0.5 * world.card.size().y());
@@ -759,11 +763,11 @@ TEST(Views, DepthIsTitledAsWhatItIs) {
 TEST(Views, ADentIsSaid) {
   HeadlessApp window;
   const Lesson& lesson = window.session().lesson();
-  ASSERT_TRUE(is_convex(lesson.x().vertices));
+  ASSERT_TRUE(is_convex(in_plane(lesson.x().vertices)));
   const Point from = window.at({Subject::Kind::vertex_of_x, 0});
   const Point opposite = window.at({Subject::Kind::vertex_of_x, 2});
   window.drag(from, from + 1.2 * (opposite - from));
-  ASSERT_FALSE(is_convex(window.session().lesson().x().vertices));
+  ASSERT_FALSE(is_convex(in_plane(window.session().lesson().x().vertices)));
   EXPECT_NE(std::string::npos, window.app().message().find("dent")) << window.app().message();
 }
 

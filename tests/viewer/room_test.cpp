@@ -207,7 +207,7 @@ TEST(Room, AWayHomeIsThereWhenNothingIsInSight) {
   HeadlessApp window;
   EXPECT_TRUE(window.app().picture().empty_cards().empty());
   const LessonPictures::ShownView view = window.session().views()[0];
-  window.session().set_camera(0, {view.camera.center + Eigen::Vector2d(500.0, 0.0), 3.0});
+  window.session().set_camera(0, {view.camera.center + Eigen::Vector3d(500.0, 0.0, 0.0), 3.0});
   window.settle();
   ASSERT_EQ(1u, window.app().picture().empty_cards().size());
   window.click(window.app().picture().empty_cards()[0].center() + Point(-40.0, 12.0));
@@ -228,7 +228,7 @@ TEST(Room, InsideOfAShapeIsNotNowhere) {
   const auto world = in_plane(window.session().run().runs[0].bodies[1].world);
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& vertex : world) middle += vertex / static_cast<double>(world.size());
-  window.session().set_camera(0, {middle, 1e-3});
+  window.session().set_camera(0, {in_space(middle), 1e-3});
   EXPECT_TRUE(window.app().picture().empty_cards().empty());
 }
 
@@ -433,7 +433,7 @@ TEST(Room, FieldsShowAllDigitsOfACoordinate) {
   window.drag({edge, 400.0}, {edge + 150.0, 400.0});
   const float short_numbers = height();
   Lesson lesson = window.session().lesson();
-  lesson.x().vertices[0] = {-59.852055103169033, -2.2734748438784972};
+  lesson.x().vertices[0] = {-59.852055103169033, -2.2734748438784972, 0.0};
   ASSERT_TRUE(window.app().edit("long", lesson));
   window.settle();
   EXPECT_GT(height(), short_numbers) << "x and y stand below each other where they are long";
@@ -477,7 +477,7 @@ TEST(Room, ARandomPairIsInSight) {
         0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
     for (const auto& body : window.session().run().runs[0].bodies) {
       for (const Eigen::Vector2d& vertex : in_plane(body.world))
-        EXPECT_TRUE(((vertex - view.camera.center).cwiseAbs().array() <= half.array()).all());
+        EXPECT_TRUE(((vertex - in_plane(view.camera.center)).cwiseAbs().array() <= half.array()).all());
     }
   }
 }
@@ -506,7 +506,7 @@ TEST(Room, TheHandleThatTurnsCoversNoLabel) {
   Session& session = window.session();
   for (const double by : {0.0, 0.5, 1.0, 1.5}) {
     Lesson lesson = session.lesson();
-    edit::move_shape(lesson, 1, {-by, 0.0});
+    edit::move_shape(lesson, 1, {-by, 0.0, 0.0});
     ASSERT_TRUE(window.app().edit("nearer", std::move(lesson)));
     window.app().picture().hand().selected = {Kind::shape_y};
     const std::optional<Point> at = window.app().picture().hand().handle();

@@ -466,6 +466,52 @@ action("scalar and rules are chosen, and the run follows", async (visit) => {
   await close(page);
 });
 
+action("space turns under the hand, by keys and by buttons; its run stays, and a link holds the side", async (visit, size) => {
+  const page = await visit(url("polyhedra-gjk"));
+  const eye = async () => (await rest(page), page.evaluate(() => state.eye));
+  const before = await eye();
+  const run = (await state(page)).outcome;
+  await page.locator("#stage").evaluate((stage) => stage.scrollIntoView({ block: "center" }));
+  const box = await page.locator("#stage").boundingBox();
+  const drag = SIZES[size].touch ? touchPath : dragByMouse;
+  await drag(page, [box.x + 8, box.y + 60], [60, 20]);
+  const dragged = await eye();
+  assert.ok(dragged[0] < before[0] - 5 && dragged[1] > before[1] + 2, `${before} became ${dragged}`);
+  await page.locator("body").press("d");
+  assert.ok(Math.abs((await eye())[0] - dragged[0] - 10) < 1e-9);
+  const link = await page.evaluate(() => (keepLink(), address()));
+  assert.match(link, /&eye=-?[\d.]+,[\d.]+/);
+  const there = await eye();
+  const again = await visit(link);
+  await rest(again);
+  const seen = await again.evaluate(() => state.eye);
+  assert.ok(seen.every((degrees, i) => Math.abs(degrees - there[i]) < 0.06), `${there} and ${seen}`);
+  await close(again);
+  await page.locator("#sides button", { hasText: "top" }).click();
+  assert.deepEqual(await eye(), [0, 90]);
+  const after = await state(page);
+  assert.deepEqual(after.outcome, run);
+  assert.equal(after.changed, false);
+  await close(page);
+});
+
+action("a vertex in space is dragged and typed, and the distance follows", async (visit, size) => {
+  const page = await visit(url("polyhedra-gjk"));
+  const before = await distance(page);
+  await page.locator("#stage").evaluate((stage) => stage.scrollIntoView({ block: "center" }));
+  const drag = SIZES[size].touch ? touchPath : dragByMouse;
+  await drag(page, await vertex(page, "y 1"), [-20, 14]);
+  assert.ok((await state(page)).changed);
+  await page.locator("summary", { hasText: "Vertices" }).click();
+  assert.equal(await page.locator("#x-0-2").inputValue(), "0.8");
+  await page.fill("#x-0-2", "3");
+  await page.locator("#x-0-2").press("Enter");
+  const moved = (await state(page)).shapes.x.vertices[0];
+  assert.deepEqual(moved.slice(0, 3), ["-1", "-0.6", "3"]);
+  assert.notEqual(await distance(page), before);
+  await close(page);
+});
+
 action("questions are asked before they are told, and graded from the run", async (visit) => {
   const page = await visit(url("polygon-evolution"));
   await page.locator("body").press("p");

@@ -103,8 +103,10 @@ struct Study {
         for (Eigen::Vector2d& point : *points) point = point.cast<float>().cast<double>();
       }
     }
+    ReadCase read;
+    read.value = std::move(shapes);
     std::optional<Lesson> lesson =
-        app.lesson_around(shapes, fmt::format("{}: worst of {}", dot.configuration, dot.family));
+        app.lesson_around(read, fmt::format("{}: worst of {}", dot.configuration, dot.family));
     if (!lesson) return;
     lesson->id = kWorstRun;
     lesson->prose = fmt::format("The distance is {}, the answer {}.{}", dot.distance,

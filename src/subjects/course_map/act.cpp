@@ -19,8 +19,9 @@ struct Chapter {
   std::string_view detail;
 };
 
-constexpr int kChapters = 8;
-constexpr int kColumns = 4;
+constexpr int kChapters = 9;
+constexpr int kOfGjk = 4;  // chapters that each make use of the one before
+constexpr int kColumns = 5;
 constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Point to segment", "Chapter 1: which point of a segment is closest to Q?",
      "An end, or a point between: three cases, and two numbers that tell which."},
@@ -39,6 +40,8 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Mistakes",
      "Chapter 8: what goes wrong in programs, and how to find the step that is to blame.",
      "Loops with one wrong line run beside the right one until the two part."},
+    {"In space", "Chapter 9: the same loop for polyhedra.",
+     "A simplex may be a tetrahedron: fifteen regions, and weights that are volumes."},
 }};
 
 constexpr double kWidth = 3.6;
@@ -60,7 +63,7 @@ void frames(LessonRun& run, int index) { guesses::add_part_frames(run, index, kC
 Tick tick(const LessonRun&, const Frame& frame) {
   const int chapter = told(frame);
   if (chapter == 0) return {.group = "start"};
-  return {.group = chapter <= kColumns ? "GJK" : "beyond",
+  return {.group = chapter <= kOfGjk ? "GJK" : "beyond",
           .label = fmt::format("chapter {}", chapter),
           .short_label = std::to_string(chapter)};
 }
@@ -71,7 +74,7 @@ constexpr std::array kAsks = {kAskUses};
 int answering_step(const LessonRun&, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const int chapter = told(frame);
-  return chapter >= 3 && chapter <= kColumns && question.at.value_or(chapter) == chapter
+  return chapter >= 3 && chapter <= kOfGjk && question.at.value_or(chapter) == chapter
              ? frame.step
              : -1;
 }
@@ -86,7 +89,7 @@ void question(const Story& story, FrameText& text) {
     asked.spots.push_back(Spot{ViewKind::world, middle - half, middle + half, 0.5 * kHeight});
   }
   asked.answer = asked.choices.back();
-  text.caption = next == kColumns
+  text.caption = next == kOfGjk
                      ? "Question: two polygons, any of their points. Which solved problem can this "
                        "become?"
                      : "Question: a polygon of 100 corners. Which solved problem is of use, again "
@@ -164,6 +167,10 @@ void picture(SceneBuilder& scene, int chapter) {
       scene.line("guess.way", tile.at(1.4, 1.9), tile.at(3.0, 0.9));
       tile.way(1.4, 1.9, 1.607, 0.668);
       return tile.query(1.4, 1.9);
+    case 8:
+      tile.shape("shape", {{0.5, 0.5}, {2.9, 0.3}, {3.0, 1.0}, {1.6, 2.0}});
+      scene.line("shape", tile.at(2.9, 0.3), tile.at(1.6, 2.0));
+      return scene.add("shape.hidden", Polyline{{tile.at(0.5, 0.5), tile.at(3.0, 1.0)}});
     default:  // the lesson's own shapes
       return;
   }
@@ -178,7 +185,7 @@ void stage(SceneBuilder& scene) {
                    {scene.at(high).x(), scene.at(low).y()}};
     const bool is_current = i + 1 == current && scene.frame.question < 0;
     scene.add(is_current ? "map.tile.current" : "map.tile", Box{box, 8.0});
-    if (i > 0 && i < kColumns && i < current) {
+    if (i > 0 && i < kOfGjk && i < current) {
       const Point from(box.min.x() - 4.0, box.center().y());
       const double gap = scene.map.scale() * kBetween;
       scene.arrow("map.uses", from, from - Point(gap - 8.0, 0.0));

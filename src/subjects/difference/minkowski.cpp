@@ -19,9 +19,9 @@ MinkowskiHull::Value MinkowskiHull::compute(EffectGraph&, const LessonRun& run,
 }
 
 const EffectInfo effect_infos::kMinkowskiCloud =
-    also_in_space(effect_info<MinkowskiCloud>("view", "every difference y - x"));
+    shown_of(ShownOf::both, effect_info<MinkowskiCloud>("view", "every difference y - x"));
 
 const EffectInfo effect_infos::kMinkowskiHull =
-    also_in_space(effect_info<MinkowskiHull>("view", "convex hull of the differences"));
+    shown_of(ShownOf::both, effect_info<MinkowskiHull>("view", "convex hull of the differences"));
 
 }  // namespace gjkscope

@@ -121,7 +121,7 @@ void simplex(PanelBuilder& panel) {
 
 }  // namespace
 
-const Block kSimplex{.name = "simplex", .meaning = "the vertices of the simplex", .write = simplex, .in_space = true};
+const Block kSimplex{.name = "simplex", .meaning = "the vertices of the simplex", .write = simplex, .shown_of = ShownOf::both};
 
 namespace {
 
@@ -152,7 +152,7 @@ void scan(PanelBuilder& panel) {
 }  // namespace
 
 const Block kScan{
-    .name = "scan", .meaning = "the support scan: each vertex and its dot product", .write = scan, .in_space = true};
+    .name = "scan", .meaning = "the support scan: each vertex and its dot product", .write = scan, .shown_of = ShownOf::both};
 
 namespace {
 
@@ -186,7 +186,8 @@ void bounds(PanelBuilder& panel) {
     panel.add("bounds.bar", Box{{{a, panel.y - 8.0}, {b, panel.y}}, 4.0});
     panel.y += 18.0;
     // The best of all support lines so far need not be the one that is drawn.
-    const std::string line = "best line";
+    const std::string line =
+        panel.run.lesson.dimension == 3 ? "best plane" : "best line";
     constexpr double kBetween = 6.0;
     const double p_at = std::min(b, panel.right - 12.0);
     if (low > 0.0) {
@@ -207,7 +208,7 @@ void bounds(PanelBuilder& panel) {
 }  // namespace
 
 const Block kBounds{
-    .name = "bounds", .meaning = "lower and upper bound of the distance", .write = bounds, .in_space = true};
+    .name = "bounds", .meaning = "lower and upper bound of the distance", .write = bounds, .shown_of = ShownOf::both};
 
 namespace {
 

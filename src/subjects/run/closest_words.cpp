@@ -4,6 +4,7 @@
 
 #include "picture/story.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/space/region.hpp"
 #include "subjects/weights/barycentric.hpp"
 #include "subjects/weights/projection.hpp"
 #include "subjects/weights/subject.hpp"
@@ -239,6 +240,13 @@ void features(const Story& story, FrameText& text) {
 
 /// Tells what the sign of one coordinate says about the place of Q.
 std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
+  if (gjk::vertex_count(term.face) == 4) {
+    const std::string opposite =
+        story.words.kind_and_face(static_cast<gjk::Face>(term.face & ~gjk::face_of(term.vertex)));
+    return term.wants_positive
+               ? fmt::format("{} lies beyond the {}.", story.q, opposite)
+               : fmt::format("{} lies on the tetrahedron's side of the {}.", story.q, opposite);
+  }
   if (gjk::vertex_count(term.face) == 3) {
     const std::string opposite =
         story.edge_name(static_cast<gjk::Face>(term.face & ~gjk::face_of(term.vertex)));
@@ -275,9 +283,43 @@ void projection(const Story& story, FrameText& text) {
   text.detail += fmt::format(" Next, G passes {}.", story.words.face(passed));
 }
 
+/// "u", "u and v": the weights of this sign.
+std::string letters_of(const std::vector<double>& weights, bool negative) {
+  std::vector<std::string> letters;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if ((weights[i] < 0.0) == negative) letters.emplace_back(1, "uvwt"[i]);
+  }
+  return letters.empty() ? std::string() : and_list(letters);
+}
+
+/// A lesson that shows beyond which faces Q lies is told by the signs.
+void volumes(const Story& story, FrameText& text) {
+  const BarycentricWeights::Value& of_q = story.effects.get<BarycentricWeights>(story.frame);
+  const FacesBefore::Value& faces = story.effects.get<FacesBefore>(story.frame);
+  const std::string whole = story.words.face(of_q.simplex.all());
+  if (faces.empty()) {
+    text.caption = fmt::format("All four weights are positive: {} lies inside {}.", story.q, whole);
+    text.detail = "The four tetrahedra fill the whole, and their fractions add up to 1.";
+    return;
+  }
+  std::vector<std::string> names;
+  for (const gjk::Face face : faces) names.push_back(story.words.face(face));
+  const bool is_one = faces.size() == 1;
+  text.caption = fmt::format(
+      "{} {} negative: {} lies beyond the {} {}.", letters_of(of_q.weights, true),
+      is_one ? "is" : "are", story.q, is_one ? "face" : "faces", and_list(names));
+  std::string pieces;
+  for (const std::string& name : names) pieces += (pieces.empty() ? "" : " and ") + story.q + name;
+  text.detail = fmt::format("The volume of {} counts as negative, so {} still add up to 1. {}",
+                            pieces, "u, v, w and t",
+                            fmt::format("The closest point lies on {}.",
+                                        story.words.kind_and_face(story.state.region)));
+}
+
 }  // namespace
 
 void closest(const Story& story, FrameText& text) {
+  if (story.shows(FacesBefore::kName)) return volumes(story, text);
   if (tells_areas(story)) return areas(story, text);
   if (tells_features(story)) return features(story, text);
   if (story.shows(UnitVector::kName) && story.state.simplex.count == 2) return line(story, text);
@@ -316,6 +358,10 @@ void region_test(const Story& story, FrameText& text) {
           story.numbers.weight(weights.numerator[0] / weights.denominator),
           story.numbers.weight(weights.numerator[1] / weights.denominator),
           story.words.face(simplex.all()));
+    } else if (simplex.count == 4) {
+      text.detail =
+          "They say on which side of each vertex, edge and face it lies. Each region has 3 or 4 "
+          "conditions on their signs; the first region all of whose conditions hold decides.";
     } else {
       const std::string edge = story.words.face(0b011);
       text.detail = fmt::format(
@@ -328,7 +374,7 @@ void region_test(const Story& story, FrameText& text) {
   const gjk::RegionTest<double>& test = story.knows.region_tests[story.knows.tests_reached];
   if (test.holds) {
     text.caption = region_reason(story);
-    text.detail = gjk::vertex_count(test.region) == 3
+    text.detail = story.is_solid(test.region)
                       ? "So P = " + story.q + ", and the distance is 0."
                       : fmt::format("So {}, at distance {} from {}.", story.p_is(),
                                     story.distance(), story.q);

@@ -481,6 +481,11 @@ Language language_of(std::string_view listing) {
                                       : Language::pseudocode;
 }
 
+std::optional<std::string> in_language(const Lesson& lesson, Language language) {
+  if (lesson.dimension == 3) return std::nullopt;
+  return in_language(std::string_view(lesson.listing), language);
+}
+
 std::optional<std::string> in_language(std::string_view listing, Language language) {
   const std::string_view ending = language == Language::cpp      ? kCpp
                                   : language == Language::python ? kPython

@@ -32,6 +32,8 @@ struct Page {
 [[nodiscard]] Language language_of(std::string_view listing);
 /// The name of the same listing in another language; nothing where it has no code.
 [[nodiscard]] std::optional<std::string> in_language(std::string_view listing, Language language);
+/// That of a lesson's listing; nothing in space either, for the pages are of the plane.
+[[nodiscard]] std::optional<std::string> in_language(const Lesson& lesson, Language language);
 
 /// The beginnings of the lines that steps stand for. The page has each once, after its indent.
 [[nodiscard]] std::vector<std::string_view> marked_lines(Language language);

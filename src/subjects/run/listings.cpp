@@ -323,7 +323,7 @@ const Block kPseudocode{.name = "pseudocode",
                         .meaning = "a listing with the current line marked",
                         .write = pseudocode,
                         .takes_listing = true,
-                        .in_space = true};
+                        .shown_of = ShownOf::both};
 
 }  // namespace gjkscope::blocks
 
@@ -343,11 +343,11 @@ const Listing kSupport{
 const Listing kGjkPoint{.name = "gjk-point",
                         .meaning = "point to convex polygon, or polyhedron",
                         .write = loop,
-                        .in_space = true};
+                        .shown_of = ShownOf::both};
 
 const Listing kGjk{.name = "gjk",
                    .meaning = "convex polygon to convex polygon, or polyhedron to polyhedron",
                    .write = loop,
-                   .in_space = true};
+                   .shown_of = ShownOf::both};
 
 }  // namespace gjkscope::listings

@@ -34,14 +34,28 @@ void faces(PanelBuilder& panel) {
   const gjk::FaceList order = gjk::tested_faces(simplex.count, gjk::RegionOrder::vertices_first);
   for (int i = 0; i < order.count; ++i) {
     const gjk::Face face = order.faces[i];
-    const bool current = panel.knows.closest_point && face == panel.state.region;
-    if (current) panel.highlight("highlight.pass");
+    const bool tries = panel.knows.gradual;
+    const bool is_reached = !tries || i <= panel.knows.tests_reached;
+    const bool knows = tries ? is_reached : panel.knows.closest_point;
+    const bool wins = panel.knows.closest_point && face == panel.state.region;
+    const bool current = wins || (tries && i == panel.knows.tests_reached);
+    if (current) panel.highlight(wins ? "highlight.pass" : "highlight");
     const TextStyle style = current ? type::kStrong : type::kBody;
     const std::string role = current ? "body" : "body.muted";
-    panel.write(role, panel.left + 8.0, words.face(face), style);
+    if (tries) {
+      panel.write(!is_reached ? "untried"
+                  : wins      ? "pass"
+                              : "fail",
+                  panel.left,
+                  !is_reached ? "·"
+                  : wins      ? "✓"
+                              : "✗",
+                  type::kStrong);
+    }
+    panel.write(role, panel.left + (tries ? 28.0 : 8.0), words.face(face), style);
     const auto [holds, all] = conditions_of(simplex, face);
-    if (panel.knows.closest_point) {
-      panel.write(role, panel.right, fmt::format("{}{} of {}", current ? "all: " : "", holds, all),
+    if (knows) {
+      panel.write(role, panel.right, fmt::format("{}{} of {}", wins ? "all: " : "", holds, all),
                   style, Align::right);
     }
     panel.y += kHeight;
@@ -54,6 +68,6 @@ const Block kFaces{.name = "faces",
                    .meaning = "in space: the Voronoi regions of a simplex, and how many of their "
                               "conditions hold",
                    .write = faces,
-                   .in_space = true};
+                   .shown_of = ShownOf::space};
 
 }  // namespace gjkscope::blocks

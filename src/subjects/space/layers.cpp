@@ -110,11 +110,11 @@ void triad(SceneBuilder& scene) {
 }
 
 void region_solid(SceneBuilder& scene) {
-  if (!scene.knows.closest_point) return;
   const RegionSolid::Value& region = scene.effects.get<RegionSolid>(scene.frame);
   std::vector<Vector3d> points;
   for (const Vector3d& point : region.points) points.emplace_back(point + scene.shift);
-  if (!points.empty()) draw_solid(scene, region.hull, points, "region.solid");
+  if (!points.empty()) draw_solid(scene, region.hull, points,
+               scene.knows.closest_point ? "region.solid" : "region.tested");
 }
 
 void faces_before(SceneBuilder& scene) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "run/facts.hpp"
 #include "run/questions.hpp"
 #include "subjects/space/subject.hpp"
 #include "subjects/weights/barycentric.hpp"
@@ -72,14 +73,19 @@ const WideSimplex& tested_simplex(const LessonRun& run, const Frame& frame) {
 }  // namespace
 
 EffectKey RegionSolid::key(const LessonRun& run, const Frame& frame) {
-  return {frame.run, run.gjk_step(frame), -1};
+  return {frame.run, run.gjk_step(frame), frame.part};
 }
 
-RegionSolid::Value RegionSolid::compute(EffectGraph&, const LessonRun& run, const Frame& frame) {
+RegionSolid::Value RegionSolid::compute(EffectGraph& graph, const LessonRun& run,
+                                        const Frame& frame) {
   Value value;
   const WideSimplex& simplex = tested_simplex(run, frame);
-  const gjk::Face region = run.state(frame).region;
-  if (simplex.count < 4 || region == 0) return value;
+  const FrameFacts::Value& knows = graph.get<FrameFacts>(frame);
+  const bool is_testing = knows.gradual && knows.tests_reached >= 0;
+  if (simplex.count < 4 || !(is_testing || knows.closest_point)) return value;
+  const gjk::Face region =
+      is_testing ? knows.region_tests[static_cast<std::size_t>(knows.tests_reached)].region
+                 : run.state(frame).region;
   Vector3d middle = Vector3d::Zero();
   for (int i = 0; i < 4; ++i) middle += 0.25 * simplex.vertices[i].w;
   double radius = 0.0;
@@ -123,10 +129,12 @@ FacesBefore::Value FacesBefore::compute(EffectGraph& graph, const LessonRun&, co
   return out;
 }
 
-const EffectInfo effect_infos::kRegionSolid = also_in_space(
+const EffectInfo effect_infos::kRegionSolid = shown_of(
+    ShownOf::space, 
     effect_info<RegionSolid>("view", "in space: the Voronoi region that holds the query point"));
 
-const EffectInfo effect_infos::kFacesBefore = also_in_space(effect_info<FacesBefore>(
+const EffectInfo effect_infos::kFacesBefore = shown_of(
+    ShownOf::space, effect_info<FacesBefore>(
     "view", "in space: the faces of the simplex that the query point lies beyond"));
 
 }  // namespace gjkscope

@@ -8,11 +8,12 @@
 
 namespace gjkscope {
 
-/// The Voronoi region of the face that holds P, cut off some way around the simplex. Empty where
-/// the simplex has no volume.
+/// The Voronoi region of the face that holds P, or, where tests are tried one by one, of the one
+/// whose test is the frame's; cut off some way around the simplex. Empty where there is none yet,
+/// and where the simplex has no volume.
 struct RegionSolid {
   static constexpr std::string_view kName = "region-solid";
-  static constexpr std::string_view kNeeds = "";
+  static constexpr std::string_view kNeeds = "facts";
   struct Value {
     std::vector<Eigen::Vector3d> points;  ///< In the coordinates of the difference.
     Polyhedron hull;

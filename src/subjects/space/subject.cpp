@@ -9,6 +9,15 @@ const SubjectParts subjects::space{
     .layers = {&layers::kFloor, &layers::kTriad, &layers::kRegionSolid, &layers::kFacesBefore},
     .effects = {&effect_infos::kShapeSolids, &effect_infos::kDifferenceSolid,
                 &effect_infos::kRegionSolid, &effect_infos::kFacesBefore},
+    .legend = {{"support.plane", "support plane, normal to d"},
+               {"support.best", "best support plane so far"},
+               {"simplex.face", "the face that holds P"},
+               {"region.solid", "the region of this feature, cut off"},
+               {"face.before", "a face that Q lies beyond"},
+               {"shape.hidden", "an edge behind the body"},
+               {"shape.x.hidden", "an edge behind the body"},
+               {"floor.shadow", "shadow, from straight above"},
+               {"floor.drop", "straight down to the floor"}},
 };
 
 }  // namespace gjkscope

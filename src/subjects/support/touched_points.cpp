@@ -29,6 +29,6 @@ TouchedPoints::Value TouchedPoints::compute(EffectGraph& graph, const LessonRun&
 }
 
 const EffectInfo effect_infos::kTouchedPoints =
-    also_in_space(effect_info<TouchedPoints>("view", "the differences that the run has computed so far"));
+    shown_of(ShownOf::both, effect_info<TouchedPoints>("view", "the differences that the run has computed so far"));
 
 }  // namespace gjkscope

@@ -87,7 +87,7 @@ const Block kWeights{
     .name = "weights",
     .meaning = "barycentric weights as signed bars",
     .write = weights,
-    .in_space = true};
+    .shown_of = ShownOf::both};
 
 namespace {
 

@@ -1,0 +1,133 @@
+// Space drawn with marks: what is hidden is dashed, and regions are those of the run.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "fonts.hpp"
+#include "frames/frame.hpp"
+#include "lessons.hpp"
+#include "picture/solid.hpp"
+#include "subjects/space/region.hpp"
+#include "subjects/space/solids.hpp"
+
+namespace gjkscope {
+namespace space_drawing_test {
+
+using Eigen::Vector3d;
+using testing::fonts;
+using testing::shipped_lesson;
+
+/// Whether a point lies in a polyhedron, not within `slack` of its faces.
+bool is_deep_inside(const Polyhedron& solid, const std::vector<Vector3d>& points,
+                    const Vector3d& point, double slack) {
+  return std::all_of(solid.faces.begin(), solid.faces.end(), [&](const Polyhedron::Face& face) {
+    return face.normal.dot(point - points[static_cast<std::size_t>(face.vertices[0])]) < -slack;
+  });
+}
+
+TEST(Solids, AVertexIsBehindExactlyWhenTheWayToTheEyeGoesThroughTheBody) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  int behind = 0;
+  int before = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Vector3d> points;
+    for (int i = 0; i < 10; ++i)
+      points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    const Polyhedron solid = hull_in_space(points);
+    const Eye eye{180.0 * coordinate(random), 80.0 * coordinate(random)};
+    const StageMap map({{0.0, 0.0}, {400.0, 400.0}}, {Vector3d::Zero(), 4.0, 1.0, eye});
+    const Vector3d towards = map.axes().row(2).transpose();
+    const std::vector<bool> hidden = vertices_behind(map, solid, points.size());
+    for (const int vertex : solid.vertices) {
+      const auto index = static_cast<std::size_t>(vertex);
+      bool passes = false;  // any of many points on the way
+      for (double way = 1e-4; way < 4.0 && !passes; way *= 1.2)
+        passes = is_deep_inside(solid, points, points[index] + way * towards, 1e-9);
+      EXPECT_EQ(hidden[index], passes);
+      ++(passes ? behind : before);
+    }
+  }
+  EXPECT_GT(behind, 50);
+  EXPECT_GT(before, 50);
+}
+
+TEST(Solids, TheBodyBehindIsPaintedFirst) {
+  const LessonRun run = run_lesson(shipped_lesson("polyhedra-gjk"));
+  EffectGraph effects(run);
+  LessonPictures pictures(run, effects, fonts());
+  const Vector3d way = run.runs[0].trace.result.y - run.runs[0].trace.result.x;
+  for (const double azimuth : {-150.0, -90.0, -30.0, 30.0, 90.0, 150.0}) {
+    const Eye eye{azimuth, 15.0};
+    std::vector<std::optional<Sight>> sights(2);
+    sights[0] = Sight{pictures.views()[0].camera, 1.0};
+    sights[0]->camera.eye = eye;
+    pictures.lay_out({}, sights, LabelScope::frame);
+    const Picture picture = pictures.picture(0);
+    const auto place = [&](const std::string& role) {
+      return std::find_if(picture.marks.begin(), picture.marks.end(), [&](const Mark& mark) {
+               return mark.role == role && std::holds_alternative<Polygon>(mark.shape);
+             }) -
+             picture.marks.begin();
+    };
+    const bool y_is_nearer = axes_of(eye).row(2).dot(way) > 0.0;
+    EXPECT_EQ(y_is_nearer, place("shape.x") < place("shape.y")) << azimuth;
+  }
+}
+
+TEST(RegionSolids, HoldQueryPointsWhoseClosestFaceIsTheirs) {
+  const LessonRun run = run_lesson(shipped_lesson("tetrahedron-regions"));
+  EffectGraph effects(run);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::set<gjk::Face> seen;
+  for (const Frame& frame : run.frames) {
+    if (frame.question >= 0) continue;
+    const gjk::Face face = run.state(frame).region;
+    seen.insert(face);
+    const RegionSolid::Value& region = effects.get<RegionSolid>(frame);
+    ASSERT_GE(region.hull.faces.size(), 4u);
+    EXPECT_TRUE(is_deep_inside(region.hull, region.points, Vector3d::Zero(), 0.0));  // Q itself
+    const WideSimplex& simplex = run.run(frame).trace.initial.simplex;
+    for (int i = 0; i < 40; ++i) {
+      // Any point of the region, as a mean of its corners.
+      Vector3d q = Vector3d::Zero();
+      double sum = 0.0;
+      for (const int corner : region.hull.vertices) {
+        const double weight = share(random) * share(random);
+        q += weight * region.points[static_cast<std::size_t>(corner)];
+        sum += weight;
+      }
+      q /= sum;
+      std::vector<Vector3d> corners;
+      for (int k = 0; k < simplex.count; ++k) corners.emplace_back(simplex.vertices[k].w - q);
+      gjk::Options options;
+      options.start.count = 4;
+      for (int k = 0; k < 4; ++k) options.start.pairs[static_cast<std::size_t>(k)] = {0, k};
+      const std::vector<Vector3d> origin = {Vector3d::Zero()};
+      const auto trace = gjk::trace<double>(gjk::Query<double, 3>{{origin}, {corners}}, options);
+      EXPECT_EQ(trace.steps.front().after.region, face);
+    }
+  }
+  EXPECT_EQ(seen.size(), 15u);
+}
+
+TEST(Differences, OfTwoPolyhedraAreAllInTheirHull) {
+  const LessonRun run = run_lesson(shipped_lesson("polyhedra-gjk"));
+  EffectGraph effects(run);
+  const DifferenceSolid::Value& z = effects.get<DifferenceSolid>(run.frames[0]);
+  for (const Vector3d& x : run.runs[0].x().world) {
+    for (const Vector3d& y : run.runs[0].y().world) {
+      for (const Polyhedron::Face& face : z.hull.faces) {
+        const Vector3d& on = z.points[static_cast<std::size_t>(face.vertices[0])];
+        EXPECT_LE(face.normal.dot(y - x - on), 1e-12);
+      }
+    }
+  }
+}
+
+}  // namespace space_drawing_test
+}  // namespace gjkscope
