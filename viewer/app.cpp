@@ -410,9 +410,8 @@ void App::make_commands() {
   });
   add("Edit", "Copy as case", {"Ctrl+C"}, [&] {
     if (!copy) return;
-    with_case(session_.run().run(session_.frame()), [&](const auto& shapes) {
-      copy(case_json(shapes, session_.lesson().id));
-    });
+    with_case(session_.run().run(session_.frame()),
+              [&](const auto& shapes) { copy(case_json(shapes, session_.lesson().id)); });
     say("copied the shapes as a case");
   });
   add("Edit", "Copy the frame as SVG text", {"Ctrl+Shift+C"}, [&] {
@@ -479,17 +478,23 @@ void App::make_commands() {
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
   const auto is_in_space = [&] { return session_.eye().has_value(); };
   for (const std::string_view side : kSides) {
-    add("View", fmt::format("See from the side: {}", side), {}, [this, side] {
-      session_.set_eye(*eye_from(side, session_.run(), session_.frame()));
-    }, is_in_space);
+    add(
+        "View", fmt::format("See from the side: {}", side), {},
+        [this, side] { session_.set_eye(*eye_from(side, session_.run(), session_.frame())); },
+        is_in_space);
   }
   for (const auto& [name, key, azimuth, elevation] :
-       {std::tuple("Turn left", "Ctrl+Left", -kTurn, 0.0), {"Turn right", "Ctrl+Right", kTurn, 0.0},
-        {"Turn up", "Ctrl+Up", 0.0, kTurn}, {"Turn down", "Ctrl+Down", 0.0, -kTurn}}) {
-    add("View", name, {key}, [this, azimuth = azimuth, elevation = elevation] {
-      const Eye now = *session_.eye();
-      session_.set_eye({now.azimuth + azimuth, now.elevation + elevation});
-    }, is_in_space);
+       {std::tuple("Turn left", "Ctrl+Left", -kTurn, 0.0),
+        {"Turn right", "Ctrl+Right", kTurn, 0.0},
+        {"Turn up", "Ctrl+Up", 0.0, kTurn},
+        {"Turn down", "Ctrl+Down", 0.0, -kTurn}}) {
+    add(
+        "View", name, {key},
+        [this, azimuth = azimuth, elevation = elevation] {
+          const Eye now = *session_.eye();
+          session_.set_eye({now.azimuth + azimuth, now.elevation + elevation});
+        },
+        is_in_space);
   }
   add(
       "View", "Grid and axes", {"Shift+G"},

@@ -164,8 +164,8 @@ void App::save_case_to(const fs::path& file) {
   const PositionedRun& run = session_.run().run(session_.frame());
   try {
     const bool is_own = file == session_.file();
-    std::string text = with_case(
-        run, [&](const auto& shapes) { return case_json(shapes, session_.lesson().id); });
+    std::string text =
+        with_case(run, [&](const auto& shapes) { return case_json(shapes, session_.lesson().id); });
     std::string note;
     for (const std::string& there : is_own ? texts_to_keep(file) : std::vector<std::string>()) {
       if (parse_cases(there, file.string()).size() > 1) {

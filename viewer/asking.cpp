@@ -133,12 +133,14 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
   Session& session = app_.session();
   const FrameQuestion* question = session.question();
   if (!question) return false;
-  if (question->place && click_on_spot(*question, view, at)) return true;
+  // Places to choose from are of the plane; in space vertices alone are.
+  const bool is_plane = session.lesson().dimension == 2;
+  if (is_plane && question->place && click_on_spot(*question, view, at)) return true;
   if (const std::string name = name_of(subject); holds(question->choices, name)) {
     answer(name);
     return true;
   }
-  if (question->ask == "region") {
+  if (is_plane && question->ask == "region") {
     const LessonPictures::ShownView shown = session.views()[view];
     const LessonRun& run = session.run();
     if (!shows_shapes(shown.kind)) return false;
@@ -158,7 +160,7 @@ bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector
     answer(name);
     return true;
   }
-  if (click_on_spot(*question, view, at)) return true;
+  if (is_plane && click_on_spot(*question, view, at)) return true;
   if (question->pair.empty() || !is_vertex(subject)) return false;
   // The two halves come in any order.
   const std::string name = name_of(subject);

@@ -61,8 +61,7 @@ Camera camera_in_space(const LessonRun& run, const LessonView& view, const Rect&
   for (const SphereInSpace& sphere : seen)
     radius = std::max(radius, (sphere.center - box.center()).norm() + sphere.radius);
   constexpr double kShown = 0.88;  // of the sphere, which shapes hardly fill
-  Camera camera{box.center(), radius > 0.0 ? 2.0 * kShown * radius : 1.0, 1.0,
-                eye_of(run, view)};
+  Camera camera{box.center(), radius > 0.0 ? 2.0 * kShown * radius : 1.0, 1.0, eye_of(run, view)};
   camera.height *= area.size().y() / (area.size().minCoeff() - 2.0 * kSide);
   return camera;
 }

@@ -104,8 +104,7 @@ template <int D>
 /// A case as a lesson without words, to run and trace it: vertices x1, x2, ... and y1, y2, ...
 template <int D>
 [[nodiscard]] Lesson lesson_of(const CaseIn<D>& value, std::string_view name, ScalarKind scalar);
-[[nodiscard]] inline Lesson lesson_of(const Case& value, std::string_view name,
-                                      ScalarKind scalar) {
+[[nodiscard]] inline Lesson lesson_of(const Case& value, std::string_view name, ScalarKind scalar) {
   return lesson_of<2>(value, name, scalar);
 }
 /// The same of outlines, which must be closed.

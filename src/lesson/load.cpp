@@ -580,8 +580,8 @@ void LessonReader::read_act_table(const Table& file) {
 
 Camera LessonReader::read_camera(const Table& table) {
   Camera read;
-  read.center = reader_.point(table["center"], limits::kLargest, lesson_.dimension)
-                    .value_or(read.center);
+  read.center =
+      reader_.point(table["center"], limits::kLargest, lesson_.dimension).value_or(read.center);
   read.height = reader_.number(table["height"], limits::kSmallestCameraHeight, limits::kLargest)
                     .value_or(read.height);
   read.stretch = reader_.number(table["stretch"], 1.0 / limits::kMostStretch, limits::kMostStretch)

@@ -112,7 +112,8 @@ void write_view(TomlText& out, const LessonView& view, const Lesson& lesson) {
                                decimal(view.eye->elevation)));
   }
   if (view.close_up) {
-    out.key("close-up", fmt::format("{{ {}, corner = {} }}", camera_keys(view.close_up->camera, lesson.dimension),
+    out.key("close-up", fmt::format("{{ {}, corner = {} }}",
+                                    camera_keys(view.close_up->camera, lesson.dimension),
                                     as_text(name_of(view.close_up->corner))));
   }
   if (!view.effects.empty()) out.list("effects", as_texts(view.effects));

@@ -108,9 +108,8 @@ void TomlText::list(std::string_view name, const std::vector<int>& numbers) {
 
 void TomlText::list(std::string_view name, const std::vector<Eigen::Vector3d>& points,
                     int dimension) {
-  list(name, texts_of(points, [&](const Eigen::Vector3d& point) {
-         return in_brackets(point, dimension);
-       }));
+  list(name, texts_of(points,
+                      [&](const Eigen::Vector3d& point) { return in_brackets(point, dimension); }));
 }
 
 void TomlText::long_text(std::string_view name, std::string_view text) {

@@ -169,8 +169,7 @@ std::vector<Polyhedron::Face> merged(Points points, const std::vector<Triangle>&
   std::vector<Vector3d> normals;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     normals.push_back(normal_of(points, triangles[k]));
-    for (std::size_t i = 0; i < 3; ++i)
-      owner[{triangles[k][i], triangles[k][(i + 1) % 3]}] = k;
+    for (std::size_t i = 0; i < 3; ++i) owner[{triangles[k][i], triangles[k][(i + 1) % 3]}] = k;
   }
   std::vector<int> group(triangles.size(), -1);
   std::vector<Polyhedron::Face> faces;

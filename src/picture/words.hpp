@@ -45,11 +45,10 @@ namespace gjkscope {
 /// in scientific notation.
 class Numbers {
  public:
-  explicit Numbers(const Lesson& lesson)
-      : scalar_(lesson.scalar), dimension_(lesson.dimension) {}
+  explicit Numbers(const Lesson& lesson) : scalar_(lesson.scalar), dimension_(lesson.dimension) {}
   [[nodiscard]] std::string operator()(double value) const;
-  /// "(0.50, −1.25)", in space with three coordinates; where all of these digits would be zeros, or the numbers are large, with a
-  /// power of ten: "(0.00, 1.00)·10⁻⁴".
+  /// "(0.50, −1.25)", in space with three coordinates; where all of these digits would be zeros, or
+  /// the numbers are large, with a power of ten: "(0.00, 1.00)·10⁻⁴".
   template <class V>
   [[nodiscard]] std::string point(const Eigen::MatrixBase<V>& value, int decimals = 2) const {
     return point_text(in_space(value.eval()), decimals);

@@ -137,7 +137,7 @@ std::vector<Scenery> sceneries_of(const Lesson& lesson) {
   Scenery standing;
   for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
     standing.placements[i] = {lesson.bodies[i].translate, lesson.bodies[i].rotate_degrees,
-                             lesson.bodies[i].axis};
+                              lesson.bodies[i].axis};
   if (!lesson.path_of_shapes) return {standing};
   const LessonPath& path = *lesson.path_of_shapes;
   std::vector<Scenery> out;
@@ -316,8 +316,8 @@ gjk::Options started_as(const PositionedRun& run, gjk::Options options) {
 namespace {
 
 template <int D>
-PositionedRun run_again_in(const PositionedRun& run, const gjk::Options& options,
-                           ScalarKind scalar, const std::function<void()>& before_phase) {
+PositionedRun run_again_in(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar,
+                           const std::function<void()>& before_phase) {
   const std::vector<gjk::Vec<double, D>> a = narrowed_all<double, D>(run.x().world);
   const std::vector<gjk::Vec<double, D>> b = narrowed_all<double, D>(run.y().world);
   const gjk::Options started = with_start<D>(options, {{a}, {b}});

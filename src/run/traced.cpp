@@ -8,20 +8,17 @@ namespace gjkscope {
 namespace {
 
 TracedShape traced(const LessonShape& shape) {
-  return {shape.name,
-          shape.vertex_names,
-          shape.vertices,
-          {shape.translate, shape.rotate_degrees, shape.axis},
-          shape.outlines,
-          shape.radius};
+  return {shape.name,     shape.vertex_names,
+          shape.vertices, {shape.translate, shape.rotate_degrees, shape.axis},
+          shape.outlines, shape.radius};
 }
 
 std::string moved(const Lesson& lesson, const LessonShape& shape, const LessonMotion& motion,
                   const Placement& placement) {
   if (motion.points.empty()) return {};
-  std::string out = fmt::format(", {} moved by {}", shape.name,
-                                fields::point_text(lesson.scalar,
-                                                   placement.translate.head(lesson.dimension)));
+  std::string out =
+      fmt::format(", {} moved by {}", shape.name,
+                  fields::point_text(lesson.scalar, placement.translate.head(lesson.dimension)));
   if (!motion.turns.empty()) {
     out += fmt::format(" and turned by {} degrees",
                        fields::number_text(lesson.scalar, placement.rotate_degrees));

@@ -161,27 +161,32 @@ std::vector<Vector2d> regular_polygon(int corners) {
 
 void reshape(Lesson& lesson, std::size_t body, const std::vector<Vector2d>& unit) {
   const auto box_of = [&](std::size_t of) {
-    Eigen::AlignedBox2d box;
-    for (const Vector3d& vertex : lesson.bodies[of].vertices) box.extend(in_plane(vertex));
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& vertex : lesson.bodies[of].vertices) box.extend(vertex);
     return box;
   };
-  const Vector2d center = box_of(body).center();
+  const Vector3d center = box_of(body).center();
   double radius = 0.5 * box_of(body).sizes().maxCoeff();
   if (radius == 0.0) radius = 0.5 * box_of(1 - body).sizes().maxCoeff();
   if (radius == 0.0) radius = 1.0;
+  // A polygon becomes a prism in space.
+  const bool is_prism = lesson.dimension == 3 && unit.size() > 2;
+  std::vector<Vector3d> corners;
+  for (const double z : is_prism ? std::vector<double>{-1.0, 1.0} : std::vector<double>{0.0}) {
+    for (const Vector2d& vertex : unit)
+      corners.emplace_back(center + radius * Vector3d(vertex.x(), vertex.y(), z));
+  }
   LessonShape& shape = lesson.bodies[body];
   shape.outlines.clear();
-  shape.vertices.clear();
-  for (const Vector2d& vertex : unit) shape.vertices.push_back(in_space(Vector2d(center + radius * vertex)));
-  if (shape.vertex_names.size() > unit.size()) shape.vertex_names.resize(unit.size());
+  shape.vertices = corners;
   constexpr std::size_t kMostNamed = 99;  // names have up to three characters
-  if (unit.size() > kMostNamed) {
-    shape.vertex_names = numbered_names(body == 0 ? 'x' : 'y', unit.size());
+  if (corners.size() > kMostNamed) {
+    shape.vertex_names = numbered_names(body == 0 ? 'x' : 'y', corners.size());
   }
-  while (shape.vertex_names.size() < unit.size())
+  while (shape.vertex_names.size() < corners.size())
     shape.vertex_names.push_back(free_name(lesson, body));
   const auto is_gone = [&](const gjk::VertexPair& pair) {
-    return static_cast<std::size_t>(body == 0 ? pair.x : pair.y) >= unit.size();
+    return static_cast<std::size_t>(body == 0 ? pair.x : pair.y) >= corners.size();
   };
   const auto& pairs = lesson.options.start.pairs;
   if (std::any_of(pairs.begin(), pairs.end(), is_gone)) forget_start(lesson);
@@ -216,8 +221,7 @@ void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t se
   constexpr double kFarthest = 1.5;
   const double across = kFarthest * place();
   const double up = kFarthest * place();
-  move_shape(lesson, 1,
-             in_space(Vector2d(x.center() + reach * Vector2d(across, up) - y.center())));
+  move_shape(lesson, 1, in_space(Vector2d(x.center() + reach * Vector2d(across, up) - y.center())));
 }
 
 std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,

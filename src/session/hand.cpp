@@ -23,9 +23,9 @@ using Kind = Subject::Kind;
 constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
 constexpr double kHandleAway = 40.0;  // of the handle from its shape, frame pixels
 constexpr double kHandleRadius = 11.0;
-constexpr double kAcross = 20.0;           // degrees above the ground
+constexpr double kAcross = 20.0;          // degrees above the ground
 constexpr double kDegreesPerPixel = 0.4;  // of a hand that turns a view
-constexpr double kDegrees = 15.0;  // a step of a shape that is turned by round numbers
+constexpr double kDegrees = 15.0;         // a step of a shape that is turned by round numbers
 
 /// Below 1 the grid is divided by how many make 1: 0.3 is the double that is nearest to it, and 3
 /// times 0.1 is not.
@@ -91,8 +91,8 @@ std::optional<std::size_t> Hand::view_at(const Point& page) const {
 Vector3d Hand::to_view(std::size_t view, const Point& page) const {
   const LessonPictures::ShownView shown = session_.views()[view];
   const Point off = page - shown.card.center();
-  const Vector2d right_and_up = shown.camera.units_per_pixel(shown.card.size().y())
-                                    .cwiseProduct(Vector2d(off.x(), -off.y()));
+  const Vector2d right_and_up =
+      shown.camera.units_per_pixel(shown.card.size().y()).cwiseProduct(Vector2d(off.x(), -off.y()));
   return shown.camera.center + along_screen(shown.camera, right_and_up);
 }
 
@@ -247,8 +247,7 @@ bool Hand::move(const Point& page, bool snaps) {
     } else if (is_of_difference(held.subject)) {
       edit::move_shape(lesson, body, now - before);  // Z = Y - X goes where Y goes
     } else if (is_shape(held.subject)) {
-      edit::move_shape(lesson, body,
-                       on_grid(now - held.start) - on_grid(before - held.start));
+      edit::move_shape(lesson, body, on_grid(now - held.start) - on_grid(before - held.start));
     } else {
       const auto index = static_cast<std::size_t>(index_of(held.subject));
       const Vector3d& at = shape.world[index];

@@ -825,6 +825,7 @@ void Session::fit() {
 void Session::fit(std::size_t view, const Rect& card) {
   LessonView free = lesson_.views[view];
   free.camera.reset();
+  free.eye = views()[view].camera.eye;
   sights_[view] = sight(camera_of(run(), free, card), card);
 }
 
@@ -833,11 +834,15 @@ bool Session::is_difference_in_sight(const LessonPictures::ShownView& view) cons
   const PositionedRun& shapes = run().run(frame());
   Eigen::AlignedBox2d x;
   Eigen::AlignedBox2d y;
-  for (const Eigen::Vector2d& vertex : in_plane(shapes.x().world)) x.extend(vertex);
-  for (const Eigen::Vector2d& vertex : in_plane(shapes.y().world)) y.extend(vertex);
+  const auto seen = [&](const Eigen::Vector3d& vertex) -> Eigen::Vector2d {
+    if (!view.camera.eye) return in_plane(vertex);
+    return axes_of(*view.camera.eye).topRows<2>() * vertex;
+  };
+  for (const Eigen::Vector3d& vertex : shapes.x().world) x.extend(seen(vertex));
+  for (const Eigen::Vector3d& vertex : shapes.y().world) y.extend(seen(vertex));
   const Eigen::Vector2d half =
       0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
-  const Eigen::Vector2d center = in_plane(view.camera.center);
+  const Eigen::Vector2d center = seen(view.camera.center);
   const Eigen::AlignedBox2d sight(center - half, center + half);
   return sight.contains(Eigen::AlignedBox2d(y.min() - x.max(), y.max() - x.min()));
 }

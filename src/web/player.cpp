@@ -408,9 +408,8 @@ void Player::nudge(const Asked& asked) {
   const int index = asked.whole("index");
   const std::vector<LessonPictures::ShownView> views = session_.views();
   const LessonPictures::ShownView& view = views.front();
-  const Vector2d right_and_up =
-      view.camera.units_per_pixel(view.card.size().y())
-          .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
+  const Vector2d right_and_up = view.camera.units_per_pixel(view.card.size().y())
+                                    .cwiseProduct(Vector2d(asked.real("right"), asked.real("up")));
   const Eigen::Vector3d by = along_screen(view.camera, right_and_up);
   const PositionedRun& run = session_.run().run(session_.frame());
   const std::size_t count = run.bodies[body].world.size();
@@ -431,8 +430,8 @@ void Player::set_eye(const Asked& asked) {
   const std::string to = asked.text("to");
   const std::optional<Eye> eye = eye_from(to, session_.run(), session_.frame());
   if (!eye) {
-    throw std::runtime_error(fmt::format("there is no side '{}'; expected one of: {}", to,
-                                         fmt::join(kSides, ", ")));
+    throw std::runtime_error(
+        fmt::format("there is no side '{}'; expected one of: {}", to, fmt::join(kSides, ", ")));
   }
   session_.set_eye(*eye);
 }

@@ -224,7 +224,8 @@ void Player::draw_depth(Picture& picture) {
 /// The vertices of both shapes, however many; `shown` leaves out those that are too long to list.
 std::string Player::all_vertices() const {
   const Lesson& lesson = session_.lesson();
-  return dumped({{"x", shape_json(lesson.x(), lesson.dimension)}, {"y", shape_json(lesson.y(), lesson.dimension)}});
+  return dumped({{"x", shape_json(lesson.x(), lesson.dimension)},
+                 {"y", shape_json(lesson.y(), lesson.dimension)}});
 }
 
 /// The whole file of which the listing is a part.
@@ -360,7 +361,8 @@ std::string Player::shown(const std::string& understood) {
                     {"direction", names_of<gjk::DirectionRule>()},
                     {"regions", names_of<gjk::RegionOrder>()}};
   if (std::max(lesson.x().vertices.size(), lesson.y().vertices.size()) <= edit::kMostEditable)
-    out["shapes"] = {{"x", shape_json(lesson.x(), lesson.dimension)}, {"y", shape_json(lesson.y(), lesson.dimension)}};
+    out["shapes"] = {{"x", shape_json(lesson.x(), lesson.dimension)},
+                     {"y", shape_json(lesson.y(), lesson.dimension)}};
   return dumped(out);
 }
 

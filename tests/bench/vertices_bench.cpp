@@ -78,7 +78,9 @@ double move_of(Session& session) {
   session.begin_drag("move a shape");
   for (int i = 0; i < kMoves; ++i) {
     moves.push_back(milliseconds_of([&] {
-      session.drag([&](Lesson& shown) { edit::move_shape(shown, 1, {-0.02, 0.01 * (i % 3), 0.0}); });
+      session.drag([&](Lesson& shown) {
+        edit::move_shape(shown, 1, {-0.02, 0.01 * (i % 3), 0.0});
+      });
       (void)session.picture();
     }));
   }

@@ -209,7 +209,8 @@ TEST(SavedLesson, OfTheLargestShapesCanBeRead) {
   Lesson largest = lesson(testing::readme_example());
   largest.x().name = "X";
   for (LessonShape* shape : {&largest.x(), &largest.y()}) {
-    shape->vertices.assign(10000, Vector3d(-1.2345678901234567e-300, -1.2345678901234567e-299, 0.0));
+    shape->vertices.assign(10000,
+                           Vector3d(-1.2345678901234567e-300, -1.2345678901234567e-299, 0.0));
     shape->vertex_names = default_vertex_names(*shape, shape == &largest.x() ? "X" : "Y");
   }
   // Other names than those that a file need not tell, as long as names can be.

@@ -72,10 +72,10 @@ TEST(LessonInSpace, TurnsAboutItsAxisWithoutChangingLengths) {
     EXPECT_NEAR(x[i].dot(axis), before.dot(axis), 1e-15);
   }
   // A quarter turn about x takes y to z, counter-clockwise seen from the tip of x.
-  EXPECT_LT((turn_of({Vector3d::Zero(), 90.0, Vector3d::UnitX()}) * Vector3d::UnitY() -
-             Vector3d::UnitZ())
-                .norm(),
-            1e-15);
+  EXPECT_LT(
+      (turn_of({Vector3d::Zero(), 90.0, Vector3d::UnitX()}) * Vector3d::UnitY() - Vector3d::UnitZ())
+          .norm(),
+      1e-15);
 }
 
 TEST(LessonInSpace, WhatIsWrongIsSaidWithItsPlace) {
@@ -89,10 +89,12 @@ TEST(LessonInSpace, WhatIsWrongIsSaidWithItsPlace) {
     const std::string said = refusal(from, to);
     EXPECT_NE(said.find(what), std::string::npos) << to << "\n" << said;
   };
-  says("[4, 0, 0]", "[4, 0]", "14:24: entry 2 of 'vertices' has 2 coordinates; expected point [x, y, z]");
+  says("[4, 0, 0]", "[4, 0]",
+       "14:24: entry 2 of 'vertices' has 2 coordinates; expected point [x, y, z]");
   says("[0, 0.5, 0.25]", "[0, 0.5]", "15:13: 'translate' has 2 coordinates");
   says("axis = [1, 1, 0]", "axis = [0, 0, 0]", "the axis has no direction");
-  says("[1, 0, 0], [0, 1", "[nan, 0, 0], [0, 1", "8:25: entry 1 of entry 2 of 'vertices' is not a finite number");
+  says("[1, 0, 0], [0, 1", "[nan, 0, 0], [0, 1",
+       "8:25: entry 1 of entry 2 of 'vertices' is not a finite number");
   says("[1, 0, 0], [0, 1", "[1e308, 0, 0], [0, 1", "1e+308");
   says("azimuth = -40", "azimuth = 900", "azimuth");
   says("\"minkowski-hull\"", "\"shape-hull\"", "effect 'shape-hull' of shapes in space");
@@ -126,7 +128,9 @@ TEST(LessonInSpace, BodiesWithoutVolumeRun) {
        {"[[3, 0, 0]]", "[[3, 0, 0], [4, 1, 1]]", "[[3, 0, 0], [4, 1, 1], [3, 1, 2]]",
         "[[3, 0, 0], [3, 0, 0], [3, 0, 0], [3, 0, 0]]"}) {
     std::string text(kLesson);
-    const std::string from = "names = [\"K\", \"L\", \"M\", \"N\"]\nvertices = [[3, 0, 0], [4, 0, 0], [3, 1, 0], [3, 0, 1]]";
+    const std::string from =
+        "names = [\"K\", \"L\", \"M\", \"N\"]\nvertices = [[3, 0, 0], [4, 0, 0], [3, 1, 0], [3, 0, "
+        "1]]";
     text.replace(text.find(from), from.size(), "vertices = " + vertices);
     const LoadedLesson loaded = parse(text);
     ASSERT_TRUE(loaded.lesson) << to_string(loaded.problems);

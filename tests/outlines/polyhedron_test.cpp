@@ -75,7 +75,8 @@ TEST(HullInSpace, FlatStraightAndSinglePointsHaveWhatIsLeft) {
   EXPECT_EQ(square.edges.size(), 4u);
   EXPECT_LT((square.faces[0].normal + square.faces[1].normal).norm(), 1e-15);
 
-  const Polyhedron line = hull_in_space(Points{{0, 0, 0}, {1, 1, 1}, {-2, -2, -2}, {0.5, 0.5, 0.5}});
+  const Polyhedron line =
+      hull_in_space(Points{{0, 0, 0}, {1, 1, 1}, {-2, -2, -2}, {0.5, 0.5, 0.5}});
   EXPECT_TRUE(line.faces.empty());
   EXPECT_EQ(line.vertices, (std::vector<int>{1, 2}));
   EXPECT_EQ(line.edges.size(), 1u);

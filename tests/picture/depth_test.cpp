@@ -55,7 +55,8 @@ TEST(DepthFrames, AViewWithoutACameraHasRoomForXMovedByT) {
     const Rect card{{0.0, 0.0}, {400.0, 400.0}};
     const Camera camera = camera_of(run, run.lesson.views[0], card);
     for (const Eigen::Vector2d& vertex : in_plane(run.runs[0].x().world)) {
-      const Eigen::Vector2d at = vertex + depth_trace(run, 0)->result.translation - in_plane(camera.center);
+      const Eigen::Vector2d at =
+          vertex + depth_trace(run, 0)->result.translation - in_plane(camera.center);
       EXPECT_LT(at.cwiseAbs().maxCoeff(), 0.5 * camera.height);
     }
   }

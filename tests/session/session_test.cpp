@@ -233,8 +233,8 @@ TEST(Session, AfterAnEditTheSamePhaseAndIterationOfAnyAlgorithmStay) {
       const Vector2d by(0.2 * (edit % 31 - 15), 0.2 * (edit / 31 - 15));
       session.go_to(session.frame_count() / 2);
       const auto was = where();
-      ASSERT_TRUE(
-          change(session, "move", [&](Lesson& lesson) { edit::move_shape(lesson, 1, in_space(by)); }));
+      ASSERT_TRUE(change(session, "move",
+                         [&](Lesson& lesson) { edit::move_shape(lesson, 1, in_space(by)); }));
       const auto now = where();
       bool is_there = false;
       for (int i = 0; i < session.frame_count(); ++i) {
@@ -566,7 +566,7 @@ TEST(Session, UndoBringsTheViewsOfThenBack) {
   EXPECT_EQ(before, cameras());
   EXPECT_TRUE(session.redo(Session::Cameras::as_then));
   EXPECT_EQ(far, cameras());
-  session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
+  session.set_camera(0, Camera{{1.0, -2.0, 0.0}, 5.0});
   const std::vector<double> by_hand = cameras();
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(by_hand[0], cameras()[0]) << "a camera set by hand stays";
@@ -622,7 +622,7 @@ TEST(Session, ACameraIsSeenAsItWasSetOnAnyPage) {
     Session session(fonts());
     ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
     session.set_page(page_of(width, height));
-    session.set_camera(0, Camera{{1.0, -2.0}, 5.0});
+    session.set_camera(0, Camera{{1.0, -2.0, 0.0}, 5.0});
     EXPECT_NEAR(5.0, session.views()[0].camera.height, 1e-9);
     EXPECT_EQ(Eigen::Vector3d(1.0, -2.0, 0.0), session.views()[0].camera.center);
     // Looking elsewhere does not change the shapes that are saved.
@@ -802,10 +802,12 @@ TEST(Session, ACornerOfAnOutlineMayBeDraggedAnywhere) {
     for (const size_t body : {0, 1}) {
       session.begin_drag("drag");
       // Across its own outline, onto another corner, far away.
-      for (const Vector2d& to : {Vector2d(0.0, 0.0), Vector2d(-5.0, 3.0), Vector2d(5.0, -3.0),
-                                 Vector2d(in_plane(lesson.bodies[body].vertices[1])), Vector2d(1e6, 1.0)}) {
+      for (const Vector2d& to :
+           {Vector2d(0.0, 0.0), Vector2d(-5.0, 3.0), Vector2d(5.0, -3.0),
+            Vector2d(in_plane(lesson.bodies[body].vertices[1])), Vector2d(1e6, 1.0)}) {
         session.drag([&](Lesson& edited) {
-          edit::put_vertex(edited, body, 0, session.run().runs[0].bodies[body].placement, in_space(to));
+          edit::put_vertex(edited, body, 0, session.run().runs[0].bodies[body].placement,
+                           in_space(to));
         });
         EXPECT_EQ("", session.problem());
         for (const int place : {0, session.frame_count() / 2, session.frame_count() - 1}) {

@@ -30,8 +30,11 @@ using testing::shipped_lesson;
 Lesson point_and_triangle(const Vector2d& q) {
   Lesson lesson;
   lesson.x() = {"Q", {"Q"}, {{0.0, 0.0, 0.0}}, in_space(q), 0.0};
-  lesson.y() = {
-      "ABC", {"A", "B", "C"}, {{-1.0, -1.0, 0.0}, {2.0, -0.5, 0.0}, {0.5, 1.5, 0.0}}, Eigen::Vector3d::Zero(), 0.0};
+  lesson.y() = {"ABC",
+                {"A", "B", "C"},
+                {{-1.0, -1.0, 0.0}, {2.0, -0.5, 0.0}, {0.5, 1.5, 0.0}},
+                Eigen::Vector3d::Zero(),
+                0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
   lesson.act = "path";
   return lesson;

@@ -18,7 +18,11 @@ LessonRun triangle_and(const Vector2d& q, bool obtuse) {
   Lesson lesson;
   lesson.x() = {"Q", {"Q"}, {{0.0, 0.0, 0.0}}, in_space(q), 0.0};
   const Vector2d c = obtuse ? Vector2d(3.5, 1.5) : Vector2d(0.5, 1.5);
-  lesson.y() = {"ABC", {"A", "B", "C"}, {{-1.0, -1.0, 0.0}, {2.0, -0.5, 0.0}, in_space(c)}, Eigen::Vector3d::Zero(), 0.0};
+  lesson.y() = {"ABC",
+                {"A", "B", "C"},
+                {{-1.0, -1.0, 0.0}, {2.0, -0.5, 0.0}, in_space(c)},
+                Eigen::Vector3d::Zero(),
+                0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
   lesson.act = "orders";
   return run_lesson(lesson);

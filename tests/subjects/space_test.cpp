@@ -68,9 +68,10 @@ TEST(Solids, TheBodyBehindIsPaintedFirst) {
     pictures.lay_out({}, sights, LabelScope::frame);
     const Picture picture = pictures.picture(0);
     const auto place = [&](const std::string& role) {
-      return std::find_if(picture.marks.begin(), picture.marks.end(), [&](const Mark& mark) {
-               return mark.role == role && std::holds_alternative<Polygon>(mark.shape);
-             }) -
+      return std::find_if(picture.marks.begin(), picture.marks.end(),
+                          [&](const Mark& mark) {
+                            return mark.role == role && std::holds_alternative<Polygon>(mark.shape);
+                          }) -
              picture.marks.begin();
     };
     const bool y_is_nearer = axes_of(eye).row(2).dot(way) > 0.0;

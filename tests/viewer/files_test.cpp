@@ -436,7 +436,7 @@ TEST(Case, InSpaceOpensAndIsSavedAsOne) {
   EXPECT_EQ("coal_49", window.session().lesson().id) << window.app().message();
   EXPECT_EQ(3, window.session().lesson().dimension);
   const fs::path saved = folder.path() / "again.json";
-  window.app().save_case(saved);
+  window.app().save_to(saved);
   const std::vector<ReadCase> read = parse_cases(read_file(saved), "again.json", 3);
   ASSERT_TRUE(read.front().in_space);
   EXPECT_EQ(window.session().lesson().x().vertices, read.front().in_space->a);

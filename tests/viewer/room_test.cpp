@@ -477,7 +477,8 @@ TEST(Room, ARandomPairIsInSight) {
         0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
     for (const auto& body : window.session().run().runs[0].bodies) {
       for (const Eigen::Vector2d& vertex : in_plane(body.world))
-        EXPECT_TRUE(((vertex - in_plane(view.camera.center)).cwiseAbs().array() <= half.array()).all());
+        EXPECT_TRUE(
+            ((vertex - in_plane(view.camera.center)).cwiseAbs().array() <= half.array()).all());
     }
   }
 }

@@ -301,6 +301,8 @@ void draw_numerics(App& app, Beside& beside) {
     draw_pair(app, (pair->name + ".x: this run, and the one beside it").c_str(), pair->here.x(),
               pair->there.x());
     draw_pair(app, (pair->name + ".y").c_str(), pair->here.y(), pair->there.y());
+    if (run.lesson.dimension == 3)
+      draw_pair(app, (pair->name + ".z").c_str(), pair->here.z(), pair->there.z());
   }
   if (!ImGui::Button("Go there")) return;
   const auto& frames = run.frames;

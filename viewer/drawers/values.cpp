@@ -1,5 +1,6 @@
 #include "drawers/values.hpp"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -52,8 +53,8 @@ std::vector<NamedValue> values_now(App& app) {
     text(name, number_text(v, app.hexadecimal));
   };
   const auto point = [&](const std::string& name, const Eigen::Vector3d& v) {
-    value(name + ".x", v.x());
-    value(name + ".y", v.y());
+    for (int i = 0; i < run.lesson.dimension; ++i)
+      value(fmt::format("{}.{}", name, "xyz"[i]), v[i]);
   };
   // As on the stage: a point query's points stand in the world, those of two shapes are
   // differences.

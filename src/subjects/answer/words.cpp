@@ -96,8 +96,10 @@ void warm_start(const Story& story, FrameText& text) {
 std::string moves(const Story& story) {
   const Lesson& lesson = story.run.lesson;
   const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
-  const Eigen::Vector3d x_by = story.positioned.x().placement.translate - last.x().placement.translate;
-  const Eigen::Vector3d y_by = story.positioned.y().placement.translate - last.y().placement.translate;
+  const Eigen::Vector3d x_by =
+      story.positioned.x().placement.translate - last.x().placement.translate;
+  const Eigen::Vector3d y_by =
+      story.positioned.y().placement.translate - last.y().placement.translate;
   const std::string z_by = story.numbers.point(y_by - x_by);
   if (x_by == y_by) {
     return fmt::format("Both moved by {}: Z and everything in it stay where they were.",

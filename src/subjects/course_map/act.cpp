@@ -74,9 +74,8 @@ constexpr std::array kAsks = {kAskUses};
 int answering_step(const LessonRun&, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const int chapter = told(frame);
-  return chapter >= 3 && chapter <= kOfGjk && question.at.value_or(chapter) == chapter
-             ? frame.step
-             : -1;
+  return chapter >= 3 && chapter <= kOfGjk && question.at.value_or(chapter) == chapter ? frame.step
+                                                                                       : -1;
 }
 
 void question(const Story& story, FrameText& text) {

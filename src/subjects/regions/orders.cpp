@@ -27,7 +27,8 @@ void short_test(SceneBuilder& scene) {
   int opposite = 0;
   while (gjk::contains(chain->region, opposite)) ++opposite;
   const Vector2d from = in_plane(simplex.vertices[(opposite + 1) % 3].w) + in_plane(scene.shift);
-  const Vector2d edge = in_plane(simplex.vertices[(opposite + 2) % 3].w) + in_plane(scene.shift) - from;
+  const Vector2d edge =
+      in_plane(simplex.vertices[(opposite + 2) % 3].w) + in_plane(scene.shift) - from;
   Vector2d inwards(edge.y(), -edge.x());
   if (inwards.dot(in_plane(simplex.vertices[opposite].w) + in_plane(scene.shift) - from) < 0.0)
     inwards = -inwards;

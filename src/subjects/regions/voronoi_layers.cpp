@@ -55,7 +55,8 @@ void borders(SceneBuilder& scene, const IsDrawn& is_drawn) {
       if (edge.norm() == 0.0) continue;
       Vector2d outwards = Vector2d(edge.y(), -edge.x()).normalized();
       const bool triangle = simplex.count == 3;
-      if (triangle && outwards.dot(in_plane(simplex.vertices[3 - i - j].w) + in_plane(scene.shift) - a) > 0.0)
+      if (triangle &&
+          outwards.dot(in_plane(simplex.vertices[3 - i - j].w) + in_plane(scene.shift) - a) > 0.0)
         outwards = -outwards;
       const auto face = static_cast<gjk::Face>(gjk::face_of(i) | gjk::face_of(j));
       for (const int vertex : {i, j}) {

@@ -121,7 +121,10 @@ void simplex(PanelBuilder& panel) {
 
 }  // namespace
 
-const Block kSimplex{.name = "simplex", .meaning = "the vertices of the simplex", .write = simplex, .shown_of = ShownOf::both};
+const Block kSimplex{.name = "simplex",
+                     .meaning = "the vertices of the simplex",
+                     .write = simplex,
+                     .shown_of = ShownOf::both};
 
 namespace {
 
@@ -151,8 +154,10 @@ void scan(PanelBuilder& panel) {
 
 }  // namespace
 
-const Block kScan{
-    .name = "scan", .meaning = "the support scan: each vertex and its dot product", .write = scan, .shown_of = ShownOf::both};
+const Block kScan{.name = "scan",
+                  .meaning = "the support scan: each vertex and its dot product",
+                  .write = scan,
+                  .shown_of = ShownOf::both};
 
 namespace {
 
@@ -186,8 +191,7 @@ void bounds(PanelBuilder& panel) {
     panel.add("bounds.bar", Box{{{a, panel.y - 8.0}, {b, panel.y}}, 4.0});
     panel.y += 18.0;
     // The best of all support lines so far need not be the one that is drawn.
-    const std::string line =
-        panel.run.lesson.dimension == 3 ? "best plane" : "best line";
+    const std::string line = panel.run.lesson.dimension == 3 ? "best plane" : "best line";
     constexpr double kBetween = 6.0;
     const double p_at = std::min(b, panel.right - 12.0);
     if (low > 0.0) {
@@ -207,8 +211,10 @@ void bounds(PanelBuilder& panel) {
 
 }  // namespace
 
-const Block kBounds{
-    .name = "bounds", .meaning = "lower and upper bound of the distance", .write = bounds, .shown_of = ShownOf::both};
+const Block kBounds{.name = "bounds",
+                    .meaning = "lower and upper bound of the distance",
+                    .write = bounds,
+                    .shown_of = ShownOf::both};
 
 namespace {
 

@@ -26,9 +26,10 @@ std::string region_in_space(const Story& story, const gjk::RegionTest<double>& w
   const std::string name = story.words.kind_and_face(face);
   const int size = gjk::vertex_count(face);
   if (size == 1) {
-    return fmt::format("{0} lies in the Voronoi region of {1}: on the line of each edge at {1} it "
-                       "projects beyond {1}.",
-                       story.q, story.words.face(face));
+    return fmt::format(
+        "{0} lies in the Voronoi region of {1}: on the line of each edge at {1} it "
+        "projects beyond {1}.",
+        story.q, story.words.face(face));
   }
   if (face == simplex.all()) {
     if (size == 4)
@@ -43,14 +44,16 @@ std::string region_in_space(const Story& story, const gjk::RegionTest<double>& w
     if (term.wants_positive || gjk::vertex_count(term.face) != size + 1) continue;
     const std::string opposite = story.words.vertex(term.vertex);
     if (size == 3) {
-      return fmt::format("{} lies beyond the {}, seen from {} (volume fraction {}), and projects "
-                         "into it.",
-                         story.q, name, opposite, story.signed_weight(term));
+      return fmt::format(
+          "{} lies beyond the {}, seen from {} (volume fraction {}), and projects "
+          "into it.",
+          story.q, name, opposite, story.signed_weight(term));
     }
     const bool is_triangle = simplex.count == 3;
-    return fmt::format("{} lies in the region of the {}: it projects between its ends, and beyond "
-                       "it in {}.",
-                       story.q, name, is_triangle ? "the triangle" : "both faces at it");
+    return fmt::format(
+        "{} lies in the region of the {}: it projects between its ends, and beyond "
+        "it in {}.",
+        story.q, name, is_triangle ? "the triangle" : "both faces at it");
   }
   return {};
 }
@@ -305,15 +308,15 @@ void volumes(const Story& story, FrameText& text) {
   std::vector<std::string> names;
   for (const gjk::Face face : faces) names.push_back(story.words.face(face));
   const bool is_one = faces.size() == 1;
-  text.caption = fmt::format(
-      "{} {} negative: {} lies beyond the {} {}.", letters_of(of_q.weights, true),
-      is_one ? "is" : "are", story.q, is_one ? "face" : "faces", and_list(names));
-  std::string pieces;
-  for (const std::string& name : names) pieces += (pieces.empty() ? "" : " and ") + story.q + name;
-  text.detail = fmt::format("The volume of {} counts as negative, so {} still add up to 1. {}",
-                            pieces, "u, v, w and t",
-                            fmt::format("The closest point lies on {}.",
-                                        story.words.kind_and_face(story.state.region)));
+  text.caption =
+      fmt::format("{} {} negative: {} lies beyond the {} {}.", letters_of(of_q.weights, true),
+                  is_one ? "is" : "are", story.q, is_one ? "face" : "faces", and_list(names));
+  for (std::string& name : names) name = story.q + name;
+  text.detail = fmt::format(
+      "The {} of {} {} as negative, so u, v, w and t still add up to 1. The closest point {} {}.",
+      is_one ? "volume" : "volumes", and_list(names), is_one ? "counts" : "count",
+      gjk::vertex_count(story.state.region) == 1 ? "is" : "lies on",
+      story.words.kind_and_face(story.state.region));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ History::Value History::compute(EffectGraph&, const LessonRun& run, const Frame&
 }
 
 const EffectInfo effect_infos::kHistory =
-    shown_of(ShownOf::both, effect_info<History>("view", "simplices and closest points of earlier iterations"));
+    shown_of(ShownOf::both,
+             effect_info<History>("view", "simplices and closest points of earlier iterations"));
 
 }  // namespace gjkscope

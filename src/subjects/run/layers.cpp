@@ -219,8 +219,7 @@ void witness_points(SceneBuilder& scene) {
 }
 
 void search(SceneBuilder& scene) {
-  if (scene.knows.support)
-    scene.support_plane(scene.state.support.w, scene.state.d);
+  if (scene.knows.support) scene.support_plane(scene.state.support.w, scene.state.d);
   // A search that is over points nowhere.
   if (scene.knows.direction && !scene.knows.has_ended) search_direction(scene);
   if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");

@@ -4,8 +4,8 @@
 #include "run/questions.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/run/voronoi.hpp"
-#include "subjects/space/region.hpp"
 #include "subjects/second_run/table.hpp"
+#include "subjects/space/region.hpp"
 #include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::acts {
@@ -33,10 +33,9 @@ int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
     return -1;
   const int count = state_before(trace, frame.step).simplex.count;
   const bool is_on_map = question.ask == asks::kRegion.name || question.ask == asks::kClosest.name;
-  const bool has_map = run.lesson.calls_for(VoronoiRegions::kName) ||
-                       run.lesson.calls_for(RegionSolid::kName);
-  const bool shows = is_on_map ? has_map
-                               : run.lesson.calls_for(BarycentricParts::kName);
+  const bool has_map =
+      run.lesson.calls_for(VoronoiRegions::kName) || run.lesson.calls_for(RegionSolid::kName);
+  const bool shows = is_on_map ? has_map : run.lesson.calls_for(BarycentricParts::kName);
   if (!shows || count < 2 || (question.ask == asks::kFoot.name && count != 2)) return -1;
   return frame.step;
 }

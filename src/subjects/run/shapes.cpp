@@ -129,9 +129,9 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
   // Names of corners of the hull stand outside of the shape, and these are what GJK can meet. Those
   // of the difference are made of them.
   std::vector<bool> on_hull(world.size(), false);
-  const std::vector<int> corners =
-      scene.map.is_of_space() ? scene.effects.get<ShapeSolids>(scene.frame)[body].vertices
-                              : convex_hull(in_plane(scene.positioned.bodies[body].world));
+  const std::vector<int> corners = scene.map.is_of_space()
+                                       ? scene.effects.get<ShapeSolids>(scene.frame)[body].vertices
+                                       : convex_hull(in_plane(scene.positioned.bodies[body].world));
   for (const int corner : corners) on_hull[static_cast<std::size_t>(corner)] = true;
   for (const bool of_hull : {true, false}) {
     if (!of_hull && !has_room_inside) break;
@@ -238,9 +238,9 @@ void solid(SceneBuilder& scene, std::size_t body) {
     if (named[i] == Named::no) continue;
     const std::string& name = scene.run.lesson.bodies[body].vertex_names[i];
     const Point away = world.size() == 1 ? Point::Zero() : Point(vertices[i] - middle);
-    scene.out.fixed_labels.push_back(
-        scene.label("vertex:" + name, name, role + (behind[i] ? ".label.hidden" : ".label"),
-                    type::kVertex, vertices[i], kSimplexRadius, away));
+    scene.out.fixed_labels.push_back(scene.label("vertex:" + name, name,
+                                                 role + (behind[i] ? ".label.hidden" : ".label"),
+                                                 type::kVertex, vertices[i], kSimplexRadius, away));
     scene.out.fixed_labels.back().needs_room = named[i] == Named::with_room;
   }
 }
@@ -250,10 +250,10 @@ void solid(SceneBuilder& scene, std::size_t body) {
 void solids(SceneBuilder& scene) {
   if (scene.run.point_query()) return solid(scene, 1);
   const WideResult& result = scene.positioned.trace.result;
-  const Vector3d way = result.distance > 0.0
-                           ? Vector3d(result.y - result.x)
-                           : Vector3d(middle_of(scene.positioned.y().world) -
-                                      middle_of(scene.positioned.x().world));
+  const Vector3d way =
+      result.distance > 0.0
+          ? Vector3d(result.y - result.x)
+          : Vector3d(middle_of(scene.positioned.y().world) - middle_of(scene.positioned.x().world));
   const std::size_t first = scene.map.towards_eye(way) >= 0.0 ? 0 : 1;
   solid(scene, first);
   solid(scene, 1 - first);

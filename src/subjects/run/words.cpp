@@ -98,26 +98,25 @@ void direction_in_space(const Story& story, const WideDirection& note, FrameText
   const std::string d = story.numbers.point(story.state.d);
   const std::string a = factor(story, 0);
   if (story.state.simplex.count == 2) {
-    text.caption = fmt::format("d is perpendicular to {} and points to {}.",
-                               story.edge_words(), story.q);
-    text.detail =
-        fmt::format("d = {} is cross(e, cross(e, {} − {})), where e = {} − {}: it needs neither P "
-                    "nor a division.",
-                    d, a, story.q, factor(story, 1), a);
+    text.caption =
+        fmt::format("d is perpendicular to {} and points to {}.", story.edge_words(), story.q);
+    text.detail = fmt::format(
+        "d = {} is cross(e, cross(e, {} − {})), where e = {} − {}: it needs neither P "
+        "nor a division.",
+        d, a, story.q, factor(story, 1), a);
     return;
   }
   const std::string face = story.words.kind_and_face(story.state.simplex.all());
   text.caption =
       note.sign_is_arbitrary
-          ? fmt::format("d is perpendicular to the {}. {} lies in its plane, so either sign will "
-                        "do.",
-                        face, story.q)
+          ? fmt::format(
+                "d is perpendicular to the {}. {} lies in its plane, so either sign will "
+                "do.",
+                face, story.q)
           : fmt::format("d is perpendicular to the {} and points to {}'s side.", face, story.q);
-  text.detail = fmt::format("d = {} is the normal cross({} − {}, {} − {}){}.", d,
-                            factor(story, 1), a, factor(story, 2), a,
-                            note.flipped ? fmt::format(", with the other sign: {}'s side is there",
-                                                       story.q)
-                                         : "");
+  text.detail = fmt::format(
+      "d = {} is the normal cross({} − {}, {} − {}){}.", d, factor(story, 1), a, factor(story, 2),
+      a, note.flipped ? fmt::format(", with the other sign: {}'s side is there", story.q) : "");
 }
 
 }  // namespace
@@ -329,9 +328,10 @@ void stop(const Story& story, FrameText& text) {
           story.knows.is_at_query
               ? fmt::format("P = {} already, at distance 0, but no test of this step asks that.",
                             story.q)
-          : lower > 0.0 ? proved(story)
-                        : fmt::format("No {} found so far separates {} from {}. P is {} from {}.",
-                                      story.plane(), story.q, story.set_name(), story.distance(), story.q);
+          : lower > 0.0
+              ? proved(story)
+              : fmt::format("No {} found so far separates {} from {}. P is {} from {}.",
+                            story.plane(), story.q, story.set_name(), story.distance(), story.q);
       return;
     case gjk::StopReason::repeated_support:
       text.caption =
@@ -344,13 +344,12 @@ void stop(const Story& story, FrameText& text) {
                     support, convex_set(story), story.q);
       text.detail = outcome(story);
       if (lower > 0.0) {
-        text.detail += fmt::format(" All of {} lies behind the dashed {}.", story.set_name(),
-                                   story.plane());
+        text.detail +=
+            fmt::format(" All of {} lies behind the dashed {}.", story.set_name(), story.plane());
       }
       return;
     case gjk::StopReason::origin_inside:
-      text.caption = fmt::format("Stop: {} lies inside the {}.", story.q,
-                                 story.simplex_name());
+      text.caption = fmt::format("Stop: {} lies inside the {}.", story.q, story.simplex_name());
       text.detail =
           story.run.point_query()
               ? fmt::format("So {} lies in {}: the distance is 0.", story.q, convex_set(story))

@@ -65,8 +65,9 @@ void faces(PanelBuilder& panel) {
 }  // namespace
 
 const Block kFaces{.name = "faces",
-                   .meaning = "in space: the Voronoi regions of a simplex, and how many of their "
-                              "conditions hold",
+                   .meaning =
+                       "in space: the Voronoi regions of a simplex, and how many of their "
+                       "conditions hold",
                    .write = faces,
                    .shown_of = ShownOf::space};
 

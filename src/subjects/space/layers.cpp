@@ -82,8 +82,7 @@ void floor_and_shadows(SceneBuilder& scene) {
   }
   if (scene.view.kind == ViewKind::world) {
     for (const Body& body : scene.positioned.bodies) shadow(scene, body.world, floor.z);
-    if (scene.run.point_query())
-      drop_line(scene, scene.positioned.x().world.front(), floor.z);
+    if (scene.run.point_query()) drop_line(scene, scene.positioned.x().world.front(), floor.z);
   } else {
     shadow(scene, scene.effects.get<DifferenceSolid>(scene.frame).points, floor.z);
     drop_line(scene, Vector3d::Zero(), floor.z);
@@ -96,9 +95,9 @@ void triad(SceneBuilder& scene) {
   constexpr double kName = 36.0;
   const Rect& card = scene.map.area();
   const Point origin(card.min.x() + 46.0, card.max.y() - 40.0);
-  for (const auto& [axis, name] :
-       {std::pair(Vector3d(Vector3d::UnitX()), "x"), {Vector3d(Vector3d::UnitY()), "y"},
-        {Vector3d(Vector3d::UnitZ()), "z"}}) {
+  for (const auto& [axis, name] : {std::pair(Vector3d(Vector3d::UnitX()), "x"),
+                                   {Vector3d(Vector3d::UnitY()), "y"},
+                                   {Vector3d(Vector3d::UnitZ()), "z"}}) {
     const Point along = scene.map.direction(axis);
     scene.add("triad", Polyline{{origin, origin + kLength * along}});
     // An axis that points at the eye has no room for its name.
@@ -113,7 +112,8 @@ void region_solid(SceneBuilder& scene) {
   const RegionSolid::Value& region = scene.effects.get<RegionSolid>(scene.frame);
   std::vector<Vector3d> points;
   for (const Vector3d& point : region.points) points.emplace_back(point + scene.shift);
-  if (!points.empty()) draw_solid(scene, region.hull, points,
+  if (!points.empty())
+    draw_solid(scene, region.hull, points,
                scene.knows.closest_point ? "region.solid" : "region.tested");
 }
 
@@ -142,20 +142,13 @@ const Layer kFloor{.effect = {},
                    .draw = floor_and_shadows,
                    .key = same_in_run};
 
-const Layer kTriad{.effect = {},
-                   .on = Layer::On::every_view,
-                   .order = 6,
-                   .draw = triad,
-                   .key = same_in_run};
+const Layer kTriad{
+    .effect = {}, .on = Layer::On::every_view, .order = 6, .draw = triad, .key = same_in_run};
 
-const Layer kRegionSolid{.effect = RegionSolid::kName,
-                         .on = Layer::On::every_view,
-                         .order = 40,
-                         .draw = region_solid};
+const Layer kRegionSolid{
+    .effect = RegionSolid::kName, .on = Layer::On::every_view, .order = 40, .draw = region_solid};
 
-const Layer kFacesBefore{.effect = FacesBefore::kName,
-                         .on = Layer::On::every_view,
-                         .order = 80,
-                         .draw = faces_before};
+const Layer kFacesBefore{
+    .effect = FacesBefore::kName, .on = Layer::On::every_view, .order = 80, .draw = faces_before};
 
 }  // namespace gjkscope::layers

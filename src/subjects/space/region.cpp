@@ -52,8 +52,8 @@ std::vector<Vector3d> corners_of(const std::vector<HalfSpace>& spaces, double sl
     for (std::size_t j = i + 1; j < spaces.size(); ++j) {
       for (std::size_t k = j + 1; k < spaces.size(); ++k) {
         Eigen::Matrix3d rows;
-        rows << spaces[i].normal.normalized().transpose(), spaces[j].normal.normalized().transpose(),
-            spaces[k].normal.normalized().transpose();
+        rows << spaces[i].normal.normalized().transpose(),
+            spaces[j].normal.normalized().transpose(), spaces[k].normal.normalized().transpose();
         constexpr double kParallel = 1e-9;
         if (std::abs(rows.determinant()) < kParallel) continue;
         const Vector3d q = rows.inverse() * Vector3d(spaces[i].offset / spaces[i].normal.norm(),
@@ -89,8 +89,7 @@ RegionSolid::Value RegionSolid::compute(EffectGraph& graph, const LessonRun& run
   Vector3d middle = Vector3d::Zero();
   for (int i = 0; i < 4; ++i) middle += 0.25 * simplex.vertices[i].w;
   double radius = 0.0;
-  for (int i = 0; i < 4; ++i)
-    radius = std::max(radius, (simplex.vertices[i].w - middle).norm());
+  for (int i = 0; i < 4; ++i) radius = std::max(radius, (simplex.vertices[i].w - middle).norm());
   std::vector<HalfSpace> spaces;
   for (int i = 0; i < 4; ++i) {
     const bool is_in = gjk::contains(region, i);
@@ -123,18 +122,19 @@ FacesBefore::Value FacesBefore::compute(EffectGraph& graph, const LessonRun&, co
   Value out;
   for (std::size_t i = 0; i < weights.weights.size(); ++i) {
     if (weights.weights[i] < 0.0)
-      out.push_back(static_cast<gjk::Face>(weights.simplex.all() &
-                                           ~gjk::face_of(static_cast<int>(i))));
+      out.push_back(
+          static_cast<gjk::Face>(weights.simplex.all() & ~gjk::face_of(static_cast<int>(i))));
   }
   return out;
 }
 
 const EffectInfo effect_infos::kRegionSolid = shown_of(
-    ShownOf::space, 
+    ShownOf::space,
     effect_info<RegionSolid>("view", "in space: the Voronoi region that holds the query point"));
 
-const EffectInfo effect_infos::kFacesBefore = shown_of(
-    ShownOf::space, effect_info<FacesBefore>(
-    "view", "in space: the faces of the simplex that the query point lies beyond"));
+const EffectInfo effect_infos::kFacesBefore =
+    shown_of(ShownOf::space,
+             effect_info<FacesBefore>(
+                 "view", "in space: the faces of the simplex that the query point lies beyond"));
 
 }  // namespace gjkscope

@@ -28,7 +28,8 @@ TouchedPoints::Value TouchedPoints::compute(EffectGraph& graph, const LessonRun&
   return touched;
 }
 
-const EffectInfo effect_infos::kTouchedPoints =
-    shown_of(ShownOf::both, effect_info<TouchedPoints>("view", "the differences that the run has computed so far"));
+const EffectInfo effect_infos::kTouchedPoints = shown_of(
+    ShownOf::both,
+    effect_info<TouchedPoints>("view", "the differences that the run has computed so far"));
 
 }  // namespace gjkscope

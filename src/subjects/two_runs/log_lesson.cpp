@@ -16,7 +16,8 @@ LessonShape shape_of(const std::vector<judging::Point>& points, std::string name
   LessonShape shape;
   shape.name = std::move(name);
   shape.vertex_names = numbered_names(letter, points.size());
-  for (const judging::Point& p : points) shape.vertices.push_back(in_space(Eigen::Vector2d(p.head<2>())));
+  for (const judging::Point& p : points)
+    shape.vertices.push_back(in_space(Eigen::Vector2d(p.head<2>())));
   return shape;
 }
 

@@ -83,11 +83,10 @@ void weights(PanelBuilder& panel) {
 
 }  // namespace
 
-const Block kWeights{
-    .name = "weights",
-    .meaning = "barycentric weights as signed bars",
-    .write = weights,
-    .shown_of = ShownOf::both};
+const Block kWeights{.name = "weights",
+                     .meaning = "barycentric weights as signed bars",
+                     .write = weights,
+                     .shown_of = ShownOf::both};
 
 namespace {
 
