@@ -107,7 +107,7 @@ TEST(Edit, TheLastVertexStays) {
 
 TEST(Edit, AShapeBecomesAnotherInItsPlaceAndAsLarge) {
   Lesson lesson = shipped_lesson("polygons-gjk");
-  lesson.x().vertices = {{1, 1}, {5, 1}, {3, 2}};
+  lesson.x().vertices = {{1, 1, 0}, {5, 1, 0}, {3, 2, 0}};
   lesson.x().vertex_names = {"R", "S", "T"};
   edit::reshape(lesson, 0, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
   const std::vector<Vector2d> box = {{1, -0.5}, {5, -0.5}, {5, 3.5}, {1, 3.5}};
@@ -116,7 +116,7 @@ TEST(Edit, AShapeBecomesAnotherInItsPlaceAndAsLarge) {
   EXPECT_EQ(4u, lesson.x().vertex_names.size());
   edit::reshape(lesson, 0, {{0, 0}});
   EXPECT_EQ(std::vector<Vector2d>({{3, 1.5}}), in_plane(lesson.x().vertices));
-  lesson.y().vertices = {{0, 0}, {6, 0}, {0, 2}, {1, 1}};
+  lesson.y().vertices = {{0, 0, 0}, {6, 0, 0}, {0, 2, 0}, {1, 1, 0}};
   edit::reshape(lesson, 0, {{-1, 0}, {1, 0}});
   EXPECT_EQ(std::vector<Vector2d>({{0, 1.5}, {6, 1.5}}), in_plane(lesson.x().vertices))
       << "a point has no size: that of Y";
