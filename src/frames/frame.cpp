@@ -341,8 +341,10 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
     }
   }
   const auto camera_on = [&](std::size_t view, const Rect& card) {
-    return sights[view] ? camera_in(*sights[view], card)
-                        : camera_of(run_, run_.lesson.views[view], card);
+    // One that was set on shapes of the other dimension shows nothing of these.
+    const bool fits =
+        sights[view] && sights[view]->camera.eye.has_value() == (run_.lesson.dimension == 3);
+    return fits ? camera_in(*sights[view], card) : camera_of(run_, run_.lesson.views[view], card);
   };
   const auto scale = [&](std::size_t view, const Rect& card) {
     const Point room = (card.size() - kAround).cwiseMax(1.0);

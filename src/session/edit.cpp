@@ -179,6 +179,7 @@ void reshape(Lesson& lesson, std::size_t body, const std::vector<Vector2d>& unit
   LessonShape& shape = lesson.bodies[body];
   shape.outlines.clear();
   shape.vertices = corners;
+  if (shape.vertex_names.size() > corners.size()) shape.vertex_names.resize(corners.size());
   constexpr std::size_t kMostNamed = 99;  // names have up to three characters
   if (corners.size() > kMostNamed) {
     shape.vertex_names = numbered_names(body == 0 ? 'x' : 'y', corners.size());

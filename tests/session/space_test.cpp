@@ -104,7 +104,7 @@ TEST_F(SpaceTest, CasesOfEitherDimensionTakeItsPlace) {
   const CaseIn<3> space{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{3, 1, 1}}};
   ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), space))) << session.problem();
   EXPECT_EQ(session.lesson().dimension, 3);
-  EXPECT_NEAR(session.run().runs[0].trace.result.distance, std::sqrt(16.0 / 3.0), 1e-12);
+  EXPECT_NEAR(session.run().runs[0].trace.result.distance, std::sqrt(6.0), 1e-12);
   const Case plane{{{0, 0}, {1, 0}, {0, 1}}, {{3, 0}}};
   ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), plane))) << session.problem();
   EXPECT_EQ(session.lesson().dimension, 2);

@@ -41,7 +41,7 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
      "Chapter 8: what goes wrong in programs, and how to find the step that is to blame.",
      "Loops with one wrong line run beside the right one until the two part."},
     {"In space", "Chapter 9: the same loop for polyhedra.",
-     "A simplex may be a tetrahedron: fifteen regions, and weights that are volumes."},
+     "Solids instead of polygons: what stays as it was, and what is new."},
 }};
 
 constexpr double kWidth = 3.6;
@@ -52,7 +52,11 @@ constexpr double kBelow = 0.85;  // for the title
 /// Lower left corner of a chapter's picture.
 Vector2d corner(int chapter) {
   const int row = chapter / kColumns;
-  return {(chapter % kColumns) * (kWidth + kBetween), -row * (kHeight + kBelow)};
+  const int column = chapter % kColumns;
+  // The second row has one picture less, over the same width.
+  const double apart =
+      row == 0 ? kWidth + kBetween : (kColumns - 1) * (kWidth + kBetween) / (kColumns - 2);
+  return {column * apart, -row * (kHeight + kBelow)};
 }
 
 /// The chapters that are told by a frame.

@@ -145,6 +145,7 @@ void two_runs(PanelBuilder& panel) {
 const Block kTwoRuns{.name = "two-runs",
                      .meaning = "the lesson's run and the second one side by side",
                      .write = two_runs,
-                     .table = LessonSecond::kTable};
+                     .table = LessonSecond::kTable,
+                     .shown_of = ShownOf::both};
 
 }  // namespace gjkscope::blocks

@@ -37,14 +37,14 @@ void second_run(SceneBuilder& scene) {
                                                   radius, towards));
   };
   if (scene.knows.support) {
-    scene.support_line(scene.at_difference(state.support.w), state.d, "second.plane");
+    scene.support_plane(state.support.w, state.d, "second.plane");
     scene.disk("second.support", scene.at_difference(state.support.w), kRingRadius);
   }
   if (scene.knows.direction && state.d.norm() > 0.0) {
     const Point along = scene.map.direction(state.d);
     const Point tip = p + scene.arrow_length(state.p) * along;
     scene.arrow("second.direction", p, tip);
-    if (state.simplex.count == 2) right_angle(scene, p, state.d);
+    if (state.simplex.count == 2 && !scene.map.is_of_space()) right_angle(scene, p, state.d);
     // A support line may pass the tip: the name stands beside the shaft.
     name("d", 0.5 * (p + tip), 0.0, Point(-along.y(), along.x()));
   }

@@ -57,8 +57,9 @@ const WideStep* step_beside(const SecondRun::Value& second, const LessonRun& run
   return run.gjk_step(frame) < 0 ? nullptr : same_step(second.run.trace, run.step(frame));
 }
 
-const EffectInfo effect_infos::kSecondRun =
+const EffectInfo effect_infos::kSecondRun = shown_of(
+    ShownOf::both,
     effect_info<SecondRun>("view", "the same query in another scalar: its closest point and search",
-                           {}, LessonSecond::kTable);
+                           {}, LessonSecond::kTable));
 
 }  // namespace gjkscope
