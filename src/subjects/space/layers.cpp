@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 /// Below all that a view shows in any run, as deep as the shapes reach.
 struct Floor {
-  Eigen::AlignedBox3d box;  ///< Of all that stands on it.
+  Eigen::AlignedBox3d box;  ///< Around all that stands on it.
   double z = 0.0;
 };
 

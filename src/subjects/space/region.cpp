@@ -29,7 +29,7 @@ double weight_at(const WideSimplex& simplex, gjk::Face face, int vertex, const V
   return weights.numerator[vertex] / weights.denominator;
 }
 
-/// Where that weight is positive, or not.
+/// The half-space in which that weight is positive, or the other one.
 HalfSpace where(const WideSimplex& simplex, gjk::Face face, int vertex, bool positive,
                 double unit) {
   const double at_origin = weight_at(simplex, face, vertex, Vector3d::Zero());

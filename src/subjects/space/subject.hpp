@@ -1,5 +1,5 @@
 #pragma once
-// What a view of space has beside its shapes: their hulls, a floor with shadows, and axes.
+// A view of space beside its shapes: their hulls, regions, a floor with shadows, and axes.
 
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
