@@ -49,11 +49,9 @@ std::string region_in_space(const Story& story, const gjk::RegionTest<double>& w
           "into it.",
           story.q, name, opposite, story.signed_weight(term));
     }
-    const bool is_triangle = simplex.count == 3;
     return fmt::format(
-        "{} lies in the region of the {}: it projects between its ends, and beyond "
-        "it in {}.",
-        story.q, name, is_triangle ? "the triangle" : "both faces at it");
+        "{} lies in the region of the {}: it projects between its ends, and outside of {}.",
+        story.q, name, simplex.count == 3 ? "the triangle" : "both faces that meet there");
   }
   return {};
 }
