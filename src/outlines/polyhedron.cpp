@@ -199,6 +199,10 @@ std::vector<Polyhedron::Face> merged(Points points, const std::vector<Triangle>&
       face.vertices.push_back(v);
     faces.push_back(std::move(face));
   }
+  // An order of their own, whatever triangles they were made of.
+  std::sort(faces.begin(), faces.end(), [](const Polyhedron::Face& a, const Polyhedron::Face& b) {
+    return a.vertices < b.vertices;
+  });
   return faces;
 }
 

@@ -1,6 +1,6 @@
 #include "subjects/space/region.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -36,30 +36,33 @@ HalfSpace where(const WideSimplex& simplex, gjk::Face face, int vertex, bool pos
   Vector3d slope;
   for (int i = 0; i < 3; ++i)
     slope[i] = (weight_at(simplex, face, vertex, unit * Vector3d::Unit(i)) - at_origin) / unit;
-  const double sign = positive ? 1.0 : -1.0;
-  return {sign * slope, -sign * at_origin};
+  const double scale = (positive ? 1.0 : -1.0) / slope.norm();
+  return {scale * slope, -scale * at_origin};
 }
 
-/// Corners of what all of them have in common, which must be bounded.
+/// Corners of what all of them have in common, which must be bounded; each once, though more than
+/// three planes meet there. Normals have unit length.
 std::vector<Vector3d> corners_of(const std::vector<HalfSpace>& spaces, double slack) {
   std::vector<Vector3d> out;
-  const auto holds = [&](const Vector3d& q) {
-    return std::all_of(spaces.begin(), spaces.end(), [&](const HalfSpace& space) {
-      return space.normal.dot(q) >= space.offset - slack * space.normal.norm();
-    });
+  const auto is_corner = [&](const Vector3d& q) {
+    return std::all_of(spaces.begin(), spaces.end(),
+                       [&](const HalfSpace& space) {
+                         return space.normal.dot(q) >= space.offset - slack;
+                       }) &&
+           std::none_of(out.begin(), out.end(),
+                        [&](const Vector3d& other) { return (other - q).norm() <= slack; });
   };
   for (std::size_t i = 0; i < spaces.size(); ++i) {
     for (std::size_t j = i + 1; j < spaces.size(); ++j) {
       for (std::size_t k = j + 1; k < spaces.size(); ++k) {
-        Eigen::Matrix3d rows;
-        rows << spaces[i].normal.normalized().transpose(),
-            spaces[j].normal.normalized().transpose(), spaces[k].normal.normalized().transpose();
+        const auto& [a, of_a] = spaces[i];
+        const auto& [b, of_b] = spaces[j];
+        const auto& [c, of_c] = spaces[k];
+        const double volume = a.dot(b.cross(c));
         constexpr double kParallel = 1e-9;
-        if (std::abs(rows.determinant()) < kParallel) continue;
-        const Vector3d q = rows.inverse() * Vector3d(spaces[i].offset / spaces[i].normal.norm(),
-                                                     spaces[j].offset / spaces[j].normal.norm(),
-                                                     spaces[k].offset / spaces[k].normal.norm());
-        if (holds(q)) out.push_back(q);
+        if (std::abs(volume) < kParallel) continue;
+        const Vector3d q = (of_a * b.cross(c) + of_b * c.cross(a) + of_c * a.cross(b)) / volume;
+        if (is_corner(q)) out.push_back(q);
       }
     }
   }
@@ -101,9 +104,9 @@ RegionSolid::Value RegionSolid::compute(EffectGraph& graph, const LessonRun& run
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
-        const Vector3d inwards(x, y, z);
-        if (!inwards.isZero())
-          spaces.push_back({inwards, inwards.dot(middle) - kReach * radius * inwards.norm()});
+        if (x == 0 && y == 0 && z == 0) continue;
+        const Vector3d inwards = Vector3d(x, y, z).normalized();
+        spaces.push_back({inwards, inwards.dot(middle) - kReach * radius});
       }
     }
   }
