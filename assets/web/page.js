@@ -86,7 +86,7 @@ let firstEye;  // degrees, as the lesson has it
 
 function show(next, moves) {
   const last = state;
-  state = { ...last, ...next, question: next.question, listing: next.listing };
+  state = { ...last, ...next, question: next.question, listing: next.listing, eye: next.eye, sides: next.sides };
   firstEye ??= state.eye;
   if (next.numbers) state.shapes = next.shapes;  // none where there are too many vertices to list
   const focused = document.activeElement;
@@ -233,18 +233,10 @@ const KEYS = {
   y: () => act({ do: "redo" }),
   g: toggleSnaps,
   p: () => data.asks && predict(),
-  a: () => turn(-TURN, 0),
-  d: () => turn(TURN, 0),
-  w: () => turn(0, TURN),
-  s: () => turn(0, -TURN),
 };
 
-const TURN = 10;  // degrees for a key
-
-/** Walks around shapes in space. */
-function turn(azimuth, elevation) {
-  if (state.eye) act({ do: "eye", azimuth, elevation });
-}
+/** Degrees, azimuth and elevation, by which keys walk around shapes in space. */
+const TURNS = { a: [-10, 0], d: [10, 0], w: [0, 10], s: [0, -10] };
 
 function onKey(event) {
   const at = event.target;
@@ -266,7 +258,8 @@ function onKey(event) {
     return;
   }
   if (state.question && /^[1-9]$/.test(event.key)) return pressChoice(Number(event.key));
-  const does = KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
+  const turn = state.eye && TURNS[event.key.toLowerCase()];
+  const does = turn ? () => act({ do: "eye", azimuth: turn[0], elevation: turn[1] }) : KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
   const isIdle = (event.key === "ArrowRight" && state.index + 1 === state.count && !state.question) || (event.key === "ArrowLeft" && state.index === 0);
   if (!does || isIdle) return passOn(event);
   event.preventDefault();

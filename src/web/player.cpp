@@ -385,9 +385,10 @@ void Player::put_vertex(const Asked& asked) {
     throw no_vertex(index, vertices.size());
   const std::string& name = lesson.bodies[body].vertex_names[static_cast<std::size_t>(index)];
   Eigen::Vector3d& vertex = vertices[static_cast<std::size_t>(index)];
-  for (const auto& [axis, key] : {std::pair(0, "x"), {1, "y"}, {2, "z"}}) {
+  for (int axis = 0; axis < lesson.dimension; ++axis) {
+    const std::string key(1, "xyz"[axis]);
     if (asked.json.contains(key))
-      vertex[axis] = coordinate(asked.text(key), fmt::format("{} of {}", key, name));
+      vertex[axis] = coordinate(asked.text(key.c_str()), fmt::format("{} of {}", key, name));
   }
   change("type a value", lesson);
 }
