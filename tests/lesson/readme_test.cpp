@@ -53,6 +53,28 @@ TEST(Readme, ListsEveryKey) {
   EXPECT_EQ(joined(table_under("## Keys")), joined(rows));
 }
 
+TEST(Readme, NamesAllThatCanShowSpace) {
+  const std::string text = testing::readme();
+  const std::size_t begin = text.find("- A lesson is in space");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string paragraph = text.substr(begin, text.find("\n- ", begin) - begin);
+  std::set<std::string> named;
+  const std::regex quoted("`([^`]+)`");
+  for (std::sregex_iterator each(paragraph.begin(), paragraph.end(), quoted), end; each != end;
+       ++each)
+    named.insert((*each)[1]);
+  std::set<std::string> able = {"axis", "eye"};
+  for (const Act* act : vocabulary().acts) {
+    if (act->needs.in_space) able.emplace(act->name);
+  }
+  for (const auto* terms : {&vocabulary().blocks, &vocabulary().listings, &vocabulary().effects}) {
+    for (const Term& term : *terms) {
+      if (is_shown_of(term.shown_of, 3)) able.emplace(term.name);
+    }
+  }
+  EXPECT_EQ(named, able);
+}
+
 TEST(Readme, ListsEveryPlaceholder) {
   std::vector<std::string> rows;
   for (const PlaceholderInfo& placeholder : kPlaceholders) {
