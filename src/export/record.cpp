@@ -94,13 +94,13 @@ std::string in_gif(std::string_view file) {
 
 std::string record_text(const Record& record) {
   Json frames = Json::array();
-  Json last;
+  const RecordedFrame* before = nullptr;
   for (const RecordedFrame& frame : record.frames) {
     Json one = {{"step", frame.step}, {"caption", frame.caption}};
-    const Json shapes = std::visit([](const auto& each) { return json_of(each); }, frame.shapes);
-    if (shapes != last) one["case"] = shapes;
-    last = shapes;
+    if (!before || before->shapes != frame.shapes)
+      one["case"] = std::visit([](const auto& each) { return json_of(each); }, frame.shapes);
     frames.push_back(std::move(one));
+    before = &frame;
   }
   const Json json = {{"program", signature()},
                      {"key", record.key},

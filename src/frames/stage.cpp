@@ -15,9 +15,8 @@ namespace {
 
 /// The lesson's eye, or one that sees the true distance of the first run.
 Eye eye_of(const LessonRun& run, const LessonView& view) {
-  constexpr double kElevation = 20.0;
   const WideResult& result = run.runs.front().trace.result;
-  return view.eye.value_or(eye_across(result.y - result.x, kElevation));
+  return view.eye.value_or(eye_across(result.y - result.x));
 }
 
 struct SphereInSpace {

@@ -32,6 +32,7 @@ template <int D>
 struct CaseIn {
   std::vector<gjk::Vec<double, D>> a;  ///< X; never empty.
   std::vector<gjk::Vec<double, D>> b;  ///< Y; never empty.
+  friend bool operator==(const CaseIn&, const CaseIn&) = default;
 };
 using Case = CaseIn<2>;
 

@@ -24,13 +24,14 @@ Eigen::Matrix3d axes_of(const Eye& eye) {
                          {sin_a * cos_e, -cos_a * cos_e, sin_e}};
 }
 
-Eye eye_across(const Eigen::Vector3d& d, double elevation) {
+Eye eye_across(const Eigen::Vector3d& d) {
+  constexpr double kElevation = 20.0;
   // With t the direction towards the eye, dot(t, d) = cos(e) |d.xy| sin(a − φ) + sin(e) d.z, where
   // φ is the azimuth of d.
   const double along = d.head<2>().norm();
   if (!(along > 0.0)) return {-30.0, 0.0};
   const double steepest = std::atan2(along, std::abs(d.z())) / kDegree;
-  const double raised = std::min(elevation, steepest);
+  const double raised = std::min(kElevation, steepest);
   const double share = std::clamp(-std::tan(raised * kDegree) * d.z() / along, -1.0, 1.0);
   const double azimuth = (std::atan2(d.y(), d.x()) + std::asin(share)) / kDegree;
   return {std::round(std::remainder(azimuth, 360.0)), raised};

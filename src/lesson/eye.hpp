@@ -16,8 +16,8 @@ struct Eye {
 /// Unit vectors of the world that point right, up, and towards the eye, as rows.
 [[nodiscard]] Eigen::Matrix3d axes_of(const Eye& eye);
 
-/// The eye at this elevation, or as close to it as can be, that sees the true length of `d`: it
-/// looks across d. Whole degrees around z.
-[[nodiscard]] Eye eye_across(const Eigen::Vector3d& d, double elevation);
+/// The eye that sees the true length of `d`: it looks across d, from a little above the ground, or
+/// as close to that as can be. Whole degrees around z.
+[[nodiscard]] Eye eye_across(const Eigen::Vector3d& d);
 
 }  // namespace gjkscope

@@ -305,6 +305,11 @@ Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
 template Lesson told_of(Lesson lesson, const CaseIn<2>& shapes);
 template Lesson told_of(Lesson lesson, const CaseIn<3>& shapes);
 
+Lesson told_of(Lesson lesson, const ReadCase& read) {
+  return read.in_space ? told_of(std::move(lesson), *read.in_space)
+                       : told_of(std::move(lesson), *read.value);
+}
+
 Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   const std::span<const Act* const> acts = registered_acts();
   const Act& act = **std::find_if(acts.begin(), acts.end(),

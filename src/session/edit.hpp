@@ -62,6 +62,8 @@ inline constexpr std::size_t kMostPairs = 100'000;
 /// D: 2 or 3. What shows the plane alone goes with shapes in space.
 template <int D>
 [[nodiscard]] Lesson told_of(Lesson lesson, const CaseIn<D>& shapes);
+/// The shapes of a case that was read, without problems and without outlines.
+[[nodiscard]] Lesson told_of(Lesson lesson, const ReadCase& read);
 
 /// The same shapes, told by the act of an algorithm that follows GJK.
 [[nodiscard]] Lesson told_by(Lesson lesson, const Algorithm& algorithm);

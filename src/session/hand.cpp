@@ -23,7 +23,6 @@ using Kind = Subject::Kind;
 constexpr double kNear = 24.0;        // frame pixels around a vertex in which its name appears
 constexpr double kHandleAway = 40.0;  // of the handle from its shape, frame pixels
 constexpr double kHandleRadius = 11.0;
-constexpr double kAcross = 20.0;          // degrees above the ground
 constexpr double kDegreesPerPixel = 0.4;  // of a hand that turns a view
 constexpr double kDegrees = 15.0;         // a step of a shape that is turned by round numbers
 
@@ -77,7 +76,7 @@ std::optional<Eye> eye_from(std::string_view side, const LessonRun& run, const F
   if (side != kSides[3]) return std::nullopt;
   const Vector3d d = run.state(frame).d;
   const WideResult& result = run.run(frame).trace.result;
-  return eye_across(d.norm() > 0.0 ? d : Vector3d(result.y - result.x), kAcross);
+  return eye_across(d.norm() > 0.0 ? d : Vector3d(result.y - result.x));
 }
 
 std::optional<std::size_t> Hand::view_at(const Point& page) const {

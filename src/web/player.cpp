@@ -274,8 +274,7 @@ std::string Player::open_case(const Asked& asked) {
       parse_cases(text, name, gjk::kMaxDimension, std::nullopt, CaseLimits::of_lessons());
   if (!cases.front().problems.empty()) throw std::runtime_error(to_string(cases.front().problems));
   const ReadCase& read = cases.front();
-  const Lesson lesson = read.in_space ? edit::told_of(session_.lesson(), *read.in_space)
-                                      : edit::told_of(session_.lesson(), *read.value);
+  const Lesson lesson = edit::told_of(session_.lesson(), read);
   if (!session_.edit(name, lesson)) {
     std::vector<Problem> problems = why_not_said(lesson);
     if (problems.empty()) throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));

@@ -3,25 +3,11 @@
 #include <algorithm>
 
 #include "run/questions.hpp"
+#include "subjects/space/region.hpp"
 #include "subjects/space/subject.hpp"
 
 namespace gjkscope::blocks {
 namespace {
-
-/// How many of the conditions of a region hold, and how many it has.
-std::pair<int, int> conditions_of(const WideSimplex& simplex, gjk::Face region) {
-  int holds = 0;
-  int all = 0;
-  for (int i = 0; i < simplex.count; ++i) {
-    const bool is_in = gjk::contains(region, i);
-    if (is_in && gjk::vertex_count(region) == 1) continue;
-    const auto face = static_cast<gjk::Face>(region | gjk::face_of(i));
-    const bool is_positive = gjk::barycentric(simplex, face).numerator[i] > 0.0;
-    holds += is_positive == is_in ? 1 : 0;
-    ++all;
-  }
-  return {holds, all};
-}
 
 void faces(PanelBuilder& panel) {
   constexpr double kHeight = 23.0;
@@ -53,10 +39,16 @@ void faces(PanelBuilder& panel) {
                   type::kStrong);
     }
     panel.write(role, panel.left + (tries ? 28.0 : 8.0), words.face(face), style);
-    const auto [holds, all] = conditions_of(simplex, face);
     if (knows) {
-      panel.write(role, panel.right, fmt::format("{}{} of {}", wins ? "all: " : "", holds, all),
-                  style, Align::right);
+      const std::vector<RegionCondition> conditions = conditions_of(simplex, face);
+      const auto holds =
+          std::count_if(conditions.begin(), conditions.end(), [&](const RegionCondition& each) {
+            const double weight = gjk::barycentric(simplex, each.face).numerator[each.vertex];
+            return (weight > 0.0) == each.wants_positive;
+          });
+      panel.write(role, panel.right,
+                  fmt::format("{}{} of {}", wins ? "all: " : "", holds, conditions.size()), style,
+                  Align::right);
     }
     panel.y += kHeight;
   }

@@ -30,13 +30,13 @@ double weight_at(const WideSimplex& simplex, gjk::Face face, int vertex, const V
 }
 
 /// The half-space in which that weight is positive, or the other one.
-HalfSpace where(const WideSimplex& simplex, gjk::Face face, int vertex, bool positive,
-                double unit) {
+HalfSpace where(const WideSimplex& simplex, const RegionCondition& condition, double unit) {
+  const auto& [face, vertex, wants_positive] = condition;
   const double at_origin = weight_at(simplex, face, vertex, Vector3d::Zero());
   Vector3d slope;
   for (int i = 0; i < 3; ++i)
     slope[i] = (weight_at(simplex, face, vertex, unit * Vector3d::Unit(i)) - at_origin) / unit;
-  const double scale = (positive ? 1.0 : -1.0) / slope.norm();
+  const double scale = (wants_positive ? 1.0 : -1.0) / slope.norm();
   return {scale * slope, -scale * at_origin};
 }
 
@@ -75,6 +75,16 @@ const WideSimplex& tested_simplex(const LessonRun& run, const Frame& frame) {
 
 }  // namespace
 
+std::vector<RegionCondition> conditions_of(const WideSimplex& simplex, gjk::Face region) {
+  std::vector<RegionCondition> out;
+  for (int i = 0; i < simplex.count; ++i) {
+    const bool is_in = gjk::contains(region, i);
+    if (is_in && gjk::vertex_count(region) == 1) continue;
+    out.push_back({static_cast<gjk::Face>(region | gjk::face_of(i)), i, is_in});
+  }
+  return out;
+}
+
 EffectKey RegionSolid::key(const LessonRun& run, const Frame& frame) {
   return {frame.run, run.gjk_step(frame), frame.part};
 }
@@ -94,12 +104,8 @@ RegionSolid::Value RegionSolid::compute(EffectGraph& graph, const LessonRun& run
   double radius = 0.0;
   for (int i = 0; i < 4; ++i) radius = std::max(radius, (simplex.vertices[i].w - middle).norm());
   std::vector<HalfSpace> spaces;
-  for (int i = 0; i < 4; ++i) {
-    const bool is_in = gjk::contains(region, i);
-    if (is_in && gjk::vertex_count(region) == 1) continue;
-    const auto face = static_cast<gjk::Face>(region | gjk::face_of(i));
-    spaces.push_back(where(simplex, face, i, is_in, radius));
-  }
+  for (const RegionCondition& condition : conditions_of(simplex, region))
+    spaces.push_back(where(simplex, condition, radius));
   constexpr double kReach = 1.7;  // of the simplex
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {

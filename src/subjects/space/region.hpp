@@ -8,6 +8,17 @@
 
 namespace gjkscope {
 
+/// One condition of a Voronoi region of a simplex: the sign of a vertex's weight, if only `face`
+/// counted (Johnson's conditions; Gilbert, Johnson, Keerthi 1988).
+struct RegionCondition {
+  gjk::Face face = 0;
+  int vertex = 0;
+  bool wants_positive = false;
+};
+/// All conditions of the region of a face.
+[[nodiscard]] std::vector<RegionCondition> conditions_of(const WideSimplex& simplex,
+                                                         gjk::Face region);
+
 /// The Voronoi region of the face that holds P, or, where tests are tried one by one, of the one
 /// whose test is the frame's; cut off some way around the simplex. Empty where there is none yet,
 /// and where the simplex has no volume.
