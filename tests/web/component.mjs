@@ -159,8 +159,9 @@ claim("the keyboard goes in and out, and what a figure does not use is pressed i
   await shows(opened, 1, "#one");
   await opened.keyboard.press("ArrowLeft");
   await opened.keyboard.press("b");
-  await until(async () => (await told(opened, "key")).length === 3, "two keys");
-  assert.deepEqual((await told(opened, "key")).map(({ key }) => key), ["Tab", "ArrowLeft", "b"]);
+  await opened.keyboard.press("s");  // which turns a figure in space alone
+  await until(async () => (await told(opened, "key")).length === 4, "three keys");
+  assert.deepEqual((await told(opened, "key")).map(({ key }) => key), ["Tab", "ArrowLeft", "b", "s"]);
   const active = () => opened.evaluate(() => document.activeElement.id || document.activeElement.localName);
   assert.equal(await active(), "one");
   await opened.keyboard.press("Escape");
