@@ -120,6 +120,12 @@ void add_export_look(CLI::App* command, Arguments& args) {
                    "many images a second")
       ->check(CLI::Range(1, 60))
       ->type_name("N");
+  command
+      ->add_option("--turn", options.turn,
+                   "gif, apng, mp4, webm, of lessons in space: degrees that the eye walks around "
+                   "while the film runs; 360 is once around")
+      ->check(CLI::Range(-3600.0, 3600.0))
+      ->type_name("N");
 }
 
 void add_export(CLI::App& app, Arguments& args) {
@@ -441,7 +447,7 @@ void add_commands(CLI::App& app, Arguments& args) {
 
 constexpr std::string_view kDrawn = "png, svg, pdf, tex, gif, apng, mp4, webm";
 /// Options that only some formats take, each with these formats.
-constexpr std::array<std::pair<const char*, std::string_view>, 15> kTakenBy = {{
+constexpr std::array<std::pair<const char*, std::string_view>, 16> kTakenBy = {{
     {"--size", kDrawn},
     {"--theme", kDrawn},
     {"--steps", kDrawn},
@@ -456,6 +462,7 @@ constexpr std::array<std::pair<const char*, std::string_view>, 15> kTakenBy = {{
     {"--index", "png, svg, pdf, tex, gif, apng, mp4, webm, html"},
     {"--seconds", "gif, apng, mp4, webm"},
     {"--fps", "png, svg, gif, apng, mp4, webm"},
+    {"--turn", "gif, apng, mp4, webm"},
     {"--renderer", "png, gif, apng, mp4, webm"},
 }};
 

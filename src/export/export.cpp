@@ -107,6 +107,8 @@ void check(const ExportOptions& options) {
     throw std::runtime_error(
         fmt::format("png, svg and films can move; {} cannot", name_of(options.format)));
   }
+  if (options.turn != 0.0 && !is_film(options.format))
+    throw std::runtime_error(fmt::format("films can turn; {} cannot", name_of(options.format)));
   if (options.width < kSmallestWidth || options.height < kSmallestHeight) {
     throw std::runtime_error(fmt::format("a frame of {}x{} is too small; the least is {}x{}",
                                          options.width, options.height, kSmallestWidth,
@@ -179,10 +181,10 @@ Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
   for (const std::string& name : Theme::names(options.assets_dir / "themes")) {
     sum.add(read_whole(options.assets_dir / "themes" / (name + ".toml")));
   }
-  sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", name_of(options.format),
+  sum.add(fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", name_of(options.format),
                       options.theme, options.width, options.height, options.scale, options.dpi,
                       options.transparent, options.stage_only, options.handout, options.seconds,
-                      options.fps, static_cast<int>(options.caption),
+                      options.fps, options.turn, static_cast<int>(options.caption),
                       static_cast<int>(options.renderer)));
   return sum;
 }
@@ -240,6 +242,29 @@ struct LessonOnItsWay {
     sum.add(fmt::format("{}..{}, {}", first, last, between));
     return sum.hex();
   }
+};
+
+/// A lesson in space, seen from all around.
+class Turntable {
+ public:
+  Turntable(const LessonRun& run, const Fonts& fonts, const Page& page)
+      : page_(page), effects_(run), pictures_(run, effects_, fonts, page) {
+    for (const LessonPictures::ShownView& view : pictures_.views())
+      sights_.push_back(Sight{view.camera, view.card.size().x() / view.card.size().y()});
+  }
+  /// The lesson's own eye has walked around by so many degrees.
+  [[nodiscard]] Picture picture(int index, double degrees) {
+    std::vector<std::optional<Sight>> turned = sights_;
+    for (std::optional<Sight>& sight : turned) sight->camera.eye->azimuth += degrees;
+    pictures_.lay_out(page_, turned, LabelScope::frame, pictures_.is_stacked());
+    return pictures_.picture(index);
+  }
+
+ private:
+  Page page_;
+  EffectGraph effects_;
+  LessonPictures pictures_;
+  std::vector<std::optional<Sight>> sights_;
 };
 
 class Exporter {
@@ -301,6 +326,10 @@ class Exporter {
             fmt::format("{}: {}; `gjkscope check` says where", lesson.id, why));
       }
     }
+    if (options_.turn != 0.0 && lesson.dimension == 2) {
+      throw std::runtime_error(
+          fmt::format("{}: its shapes are in the plane, which does not turn", lesson.id));
+    }
     way.steps = step_range(options_, lesson.id, static_cast<int>(way.run.frames.size()));
     way.toml = lesson_toml(way.run.lesson);
     way.made_from.add(lesson.id);
@@ -312,14 +341,17 @@ class Exporter {
     const bool has_more_files = options_.fps > 0 && has_file_per_frame(options_.format);
     if (is_up_to_date(way) && !has_more_files) return way;
     for (FramePicture& each : lesson_pictures(way.run, effects, fonts_, page_)) {
-      if (options_.caption != CaptionPlace::below) {
-        std::erase_if(each.picture.marks, [](const Mark& mark) {
-          return mark.role.starts_with("caption") || mark.role == "detail";
-        });
-      }
+      leave_out_captions(each.picture);
       way.pictures.push_back(std::move(each.picture));
     }
     return way;
+  }
+
+  void leave_out_captions(Picture& picture) const {
+    if (options_.caption == CaptionPlace::below) return;
+    std::erase_if(picture.marks, [](const Mark& mark) {
+      return mark.role.starts_with("caption") || mark.role == "detail";
+    });
   }
 
   [[nodiscard]] std::filesystem::path file_of(const LessonOnItsWay& way, int step,
@@ -489,24 +521,56 @@ class Exporter {
       if (!film) film = film_of(file, image, {record, way.run.lesson.title});
       film->add(image, seconds);
     };
+    std::optional<Turntable> turntable;
+    if (options_.turn != 0.0) turntable.emplace(way.run, fonts_, page_);
     for (int step = first; step <= last; ++step) {
       if (is_stopped()) return false;
-      for (const Picture& picture : on_the_way(way, step)) show(picture, 1.0 / options_.fps);
-      show(way.pictures[static_cast<std::size_t>(step - 1)],
-           step == last ? 2.0 * options_.seconds : options_.seconds);
+      const double seconds = step == last ? 2.0 * options_.seconds : options_.seconds;
+      if (turntable) {
+        if (!add_turning(*turntable, way.steps, step, seconds, show)) return false;
+      } else {
+        for (const Picture& picture : on_the_way(way, step)) show(picture, 1.0 / options_.fps);
+        show(way.pictures[static_cast<std::size_t>(step - 1)], seconds);
+      }
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
     if (is_stopped()) return false;
     film->finish();
     return true;
   }
+  /// One step of a film in which the eye walks at constant speed from the first image to the last.
+  template <class Show>
+  bool add_turning(Turntable& turntable, const StepRange& steps, int step, double seconds,
+                   const Show& show) {
+    const double rate = film_rate();
+    const long between = step == steps.first ? 0 : std::lround(kTweenSeconds * rate);
+    const long images = between + std::lround(seconds * rate);
+    const double whole = options_.seconds * (steps.last - steps.first + 2) +
+                         kTweenSeconds * (steps.last - steps.first);
+    const double begin = (options_.seconds + kTweenSeconds) * (step - steps.first) -
+                         (step == steps.first ? 0.0 : kTweenSeconds);
+    for (long i = 0; i < images; ++i) {
+      if (is_stopped()) return false;
+      const double degrees = options_.turn * (begin + static_cast<double>(i) / rate) / whole;
+      Picture picture = turntable.picture(step - 1, degrees);
+      if (i < between) {
+        picture = tween(turntable.picture(step - 2, degrees), picture,
+                        static_cast<double>(i + 1) / static_cast<double>(between + 1));
+      }
+      leave_out_captions(picture);
+      show(picture, 1.0 / rate);
+    }
+    return true;
+  }
+  [[nodiscard]] int film_rate() const { return options_.fps > 0 ? options_.fps : kFilmRate; }
+
   [[nodiscard]] std::unique_ptr<Film> film_of(const std::filesystem::path& file, const Image& image,
                                               const FilmWords& words) const {
     if (options_.format == Format::gif)
       return gif_film(file, image.width, image.height, theme_, words);
     if (options_.format == Format::apng) return apng_film(file, words);
     return ffmpeg_film(file, std::string(name_of(options_.format)), image.width, image.height,
-                       options_.fps > 0 ? options_.fps : kFilmRate, words, options_.stop);
+                       film_rate(), words, options_.stop);
   }
 
   [[nodiscard]] std::unique_ptr<Canvas> canvas() const {

@@ -32,6 +32,7 @@ struct ExportOptions {
   int handout = 0;           ///< pdf: frames a page, with captions; 0: one page a frame.
   double seconds = 2.0;      ///< Films: how long a frame is shown; the last twice as long.
   int fps = 0;  ///< Images a second of what moves from frame to frame; 0: frames follow at once.
+  double turn = 0.0;  ///< Films of lessons in space: degrees that the eye walks around meanwhile.
   CaptionPlace caption = CaptionPlace::below;
   std::optional<int> first_step;  ///< From 1; frames A..B of each lesson, all without.
   std::optional<int> last_step;   ///< Past the last frame means: to the last.

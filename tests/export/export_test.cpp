@@ -384,6 +384,30 @@ TEST_F(Export, WhatLeadsToAFrameComesBeforeItAndNothingIsLeftOfOthers) {
   EXPECT_EQ(error_of(moving), "png, svg and films can move; pdf cannot");
 }
 
+TEST_F(Export, AFilmOfSpaceTurns) {
+  ExportOptions turning = options();
+  turning.format = Format::apng;
+  turning.width = 320;
+  turning.height = 180;
+  turning.seconds = 1.0;
+  turning.fps = 5;
+  turning.last_step = 2;
+  const auto images = [&] {
+    const ExportResult result = export_lessons({lesson("polyhedra-witness")}, turning);
+    const std::string bytes = read(result.files.front());
+    const std::size_t count = bytes.find("acTL") + 7;  // the last byte of a number of four
+    return static_cast<int>(static_cast<unsigned char>(bytes.at(count)));
+  };
+  const int still = images();
+  turning.turn = 90.0;
+  // One second of the first frame, two of the last, and the way between them.
+  EXPECT_EQ(images(), 5 + 2 + 10);
+  EXPECT_LT(still, 5);
+  EXPECT_EQ(error_of(turning), "segment-closest: its shapes are in the plane, which does not turn");
+  turning.format = Format::png;
+  EXPECT_EQ(error_of(turning), "films can turn; png cannot");
+}
+
 TEST_F(Export, AStepInWhichNothingMovesIsDrawnOnce) {
   ExportOptions moving = options();
   moving.format = Format::svg;
