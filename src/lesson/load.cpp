@@ -511,7 +511,8 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
   const bool starts_so =
       lesson_.x().vertices.size() == 1 && lesson_.options.start.count == needs.start;
   if (needs.start > 0 && !starts_so) {
-    refuse(needs.start == 3 ? "without a triangle" : "without a segment",
+    constexpr std::array<std::string_view, 3> kSimplices = {"segment", "triangle", "tetrahedron"};
+    refuse(fmt::format("without a {}", kSimplices[static_cast<std::size_t>(needs.start - 2)]),
            fmt::format("a point query whose 'start' names {} vertices", needs.start));
   }
 }
@@ -603,7 +604,7 @@ std::optional<Eye> LessonReader::read_eye(const Field& field) {
 
 void LessonReader::read_views(const Field& views) {
   const std::vector<Field> entries = reader_.entries(views, "table [[views]]");
-  if (views && views.node->is_array() && (entries.empty() || entries.size() > 2)) {
+  if (views && views.node->is_array() && (entries.empty() || entries.size() > limits::kMostViews)) {
     problems_.add(views, fmt::format("{} views", entries.size()));
   }
   std::vector<std::string> kinds = names_of<ViewKind>();

@@ -38,7 +38,7 @@ std::vector<LessonKey> own_keys() {
       {"", "steps", "table [steps]", "its defaults", "which frames there are"},
       {"", "path", "table [path]", "the shapes stay where they are",
        "positions of the shapes, one run each"},
-      {"", "views", "1 or 2 tables [[views]]", required, "the stages, from left to right"},
+      {"", "views", fmt::format("1 to {} tables [[views]]", kMostViews), required, "the stages, from left to right"},
       {"", "panel", "table [panel]", "no panel", "the side panel"},
       {"", "questions", "tables [[questions]]", "none", "what frames ask before they tell it"},
       {"", "expect", "table [expect]", required, "what the run must come to; it is checked"},
@@ -84,7 +84,8 @@ std::vector<LessonKey> own_keys() {
       {"query", "cap", fmt::format("whole number from 1 to {}", kCap),
        std::to_string(gjk::kDefaultIterationCap), "iterations after which the run gives up"},
       {"query", "start",
-       fmt::format("list of 1 to {} simplex vertices, or \"centre-to-centre\"", kSimplexVertices),
+       fmt::format("list of 1 to {} simplex vertices (in space {}), or \"centre-to-centre\"",
+                   kSimplexVertices, kSimplexVertices + 1),
        "the first vertices of X and Y",
        "first simplex: names of vertices of Y in a point query, else pairs like \"K-C\", Y's "
        "vertex first"},

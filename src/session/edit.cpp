@@ -252,7 +252,9 @@ void keep_what_space_has(Lesson& lesson) {
     const Term* term = find_term(terms, name);
     return term == nullptr || !is_shown_of(term->shown_of, 3);
   };
-  if (!known.act(lesson.act)->needs.in_space) {
+  // A table that an act cannot do without may be about the shapes of the plane.
+  const ActNeeds& needs = known.act(lesson.act)->needs;
+  if (!needs.in_space || (needs.table != nullptr && !needs.table_is_optional)) {
     lesson.act = Lesson().act;
     lesson.table = {};
     lesson.phases.clear();

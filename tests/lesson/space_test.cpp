@@ -100,6 +100,27 @@ TEST(LessonInSpace, WhatIsWrongIsSaidWithItsPlace) {
   says("\"minkowski-hull\"", "\"shape-hull\"", "effect 'shape-hull' of shapes in space");
   says("\"bounds\"]", "\"areas\"]", "block 'areas' of shapes in space");
   says("[panel]", "[steps]\ngranularity = \"depth\"\n\n[panel]", "granularity 'depth' in space");
+  const std::string two_runs =
+      "[steps]\ngranularity = \"two-runs\"\n\n[second]\nmistake = \"wrong-sign\"\n\n[panel]";
+  says("[panel]", two_runs, "a mistake in a loop in space");
+}
+
+TEST(LessonInSpace, HasUpToThreeViews) {
+  std::string text(kLesson);
+  const std::string view = "[[views]]\nshow = \"world\"\n\n";
+  const auto with_one_more = [&] { return text.insert(text.find("[panel]"), view); };
+  EXPECT_EQ(to_string(parse(with_one_more()).problems), "");
+  EXPECT_NE(to_string(parse(with_one_more()).problems).find("4 views; expected 1 to 3"),
+            std::string::npos);
+}
+
+TEST(LessonInSpace, StartsWithATetrahedronWhereFramesAreAboutOne) {
+  std::string text(kLesson);
+  text.insert(
+      text.find("[[views]]"),
+      "[steps]\ngranularity = \"fractions\"\n\n[path]\npoints = [[0, 0, 0], [1, 1, 1]]\n\n");
+  EXPECT_NE(to_string(parse(text).problems).find("granularity 'fractions' without a tetrahedron"),
+            std::string::npos);
 }
 
 TEST(LessonInSpace, ThePlaneHasNeitherAnEyeNorAnAxis) {

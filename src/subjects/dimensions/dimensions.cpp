@@ -1,0 +1,254 @@
+// GJK on a line, in the plane and in space: the same loop, with one more point of S each.
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "run/questions.hpp"
+#include "subjects/dimensions/runs.hpp"
+#include "subjects/dimensions/subject.hpp"
+#include "subjects/run/subject.hpp"
+
+namespace gjkscope {
+
+FlatRuns::Value FlatRuns::compute(EffectGraph& graph, const LessonRun& run, const Frame&) {
+  const PositionedRun& positioned = run.runs.front();
+  Eigen::AlignedBox3d box;
+  for (const Body& body : positioned.bodies) {
+    for (const Eigen::Vector3d& vertex : body.world) box.extend(vertex);
+  }
+  const Eigen::Vector3d middle = box.min() + 0.5 * (box.max() - box.min());
+  Value out;
+  for (int m = 1; m < run.lesson.dimension; ++m) {
+    Lesson flat = run.lesson;
+    flat.act = acts::kPhase.name;
+    flat.questions.clear();
+    for (std::size_t body = 0; body < flat.bodies.size(); ++body) {
+      LessonShape& shape = flat.bodies[body];
+      shape.translate.setZero();
+      shape.rotate_degrees = 0.0;
+      shape.vertices = positioned.bodies[body].world;
+      for (Eigen::Vector3d& vertex : shape.vertices)
+        vertex.segment(m, run.lesson.dimension - m) = middle.segment(m, run.lesson.dimension - m);
+    }
+    out.emplace_back(std::move(flat), acts::kPhase, graph);
+  }
+  return out;
+}
+
+}  // namespace gjkscope
+
+namespace gjkscope::dimensions {
+namespace {
+
+using gjk::Phase;
+
+constexpr std::array<std::string_view, 3> kPlaces = {"on the line", "in the plane", "in space"};
+
+std::string place_of(std::size_t which) { return std::string(kPlaces[which]); }
+
+/// The lesson's runs, of the fewest dimensions first.
+std::vector<const PositionedRun*> all_runs(const LessonRun& run, const FlatRuns::Value& flat) {
+  std::vector<const PositionedRun*> out;
+  for (const LesserRun& each : flat) out.push_back(&each.run->runs.front());
+  out.push_back(&run.runs.front());
+  return out;
+}
+
+/// The step of a run that goes with a frame of the lesson's: the same phase of the same iteration,
+/// or the last before it.
+int step_with(const WideTrace& trace, const LessonRun& run, const Frame& frame) {
+  if (frame.step < 0) return -1;
+  const int last = static_cast<int>(trace.steps.size()) - 1;
+  if (frame.step + 1 == static_cast<int>(run.runs.front().trace.steps.size())) return last;
+  const WideStep& shown = run.step(frame);
+  int found = -1;
+  for (int i = 0; i <= last; ++i) {
+    const WideStep& step = trace.steps[static_cast<std::size_t>(i)];
+    if (step.iteration < shown.iteration ||
+        (step.iteration == shown.iteration && step.phase <= shown.phase))
+      found = i;
+  }
+  return found;
+}
+
+const WideState& state_at(const WideTrace& trace, int step) {
+  return step < 0 ? trace.initial : trace.steps[static_cast<std::size_t>(step)].after;
+}
+
+/// The most points that S has had up to a step.
+int most_points(const WideTrace& trace, int step) {
+  int most = trace.initial.simplex.count;
+  for (int i = 0; i <= step; ++i) most = std::max(most, state_at(trace, i).simplex.count);
+  return most;
+}
+
+bool has_ended(const WideTrace& trace, int step) {
+  return step + 1 == static_cast<int>(trace.steps.size());
+}
+
+bool is_shown(const LessonRun& run, int, int step) {
+  const WideTrace& trace = run.runs.front().trace;
+  const Phase phase = trace.steps[static_cast<std::size_t>(step)].phase;
+  return phase == Phase::closest || phase == Phase::support || has_ended(trace, step);
+}
+
+void frames(LessonRun& run, int index) { add_step_frames(run, index, is_shown); }
+
+FrameInView in_view(const LessonRun& run, EffectGraph& effects, const Frame& frame,
+                    std::size_t view) {
+  const FlatRuns::Value& flat = effects.get<FlatRuns>(frame);
+  FrameInView out = in_view_of(flat, run, effects, frame, view);
+  if (view < flat.size())
+    out.frame = {.step = step_with(flat[view].run->runs.front().trace, run, frame)};
+  return out;
+}
+
+// ---- the question ----
+
+constexpr AskInfo kAskMost{"most-points", "how many points S has at most, in each dimension"};
+constexpr std::array kAsks = {asks::kRegion, asks::kDropped, asks::kSupport, kAskMost};
+
+int answering_step(const LessonRun& run, const Frame& before, const Frame& frame,
+                   const LessonQuestion& question) {
+  if (question.ask != kAskMost.name) return answering_step_of_run(run, before, frame, question);
+  return frame.step >= 0 && has_ended(run.run(frame).trace, frame.step) ? frame.step : -1;
+}
+
+void question(const Story& story, FrameText& text) {
+  const std::string& ask =
+      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  if (ask != kAskMost.name) return captions::question(story, text);
+  const bool in_space = story.run.lesson.dimension == 3;
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
+  asked.choices = in_space ? std::vector<std::string>{"1, 2 and 3", "2, 3 and 4", "4 in each"}
+                           : std::vector<std::string>{"1 and 2", "2 and 3", "3 in each"};
+  asked.answer = asked.choices[1];
+  text.caption = fmt::format("Question: how many points can S have at most {}, {}?",
+                             in_space ? "on a line, in a plane" : "on a line",
+                             in_space ? "and in space" : "and in a plane");
+}
+
+// ---- the words ----
+
+/// "1 on the line, 2 in the plane and 3 in space"
+template <class Value>
+std::string listed(const std::vector<const PositionedRun*>& runs, const Value& value) {
+  std::vector<std::string> each;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    each.push_back(fmt::format("{} {}", value(*runs[i]), place_of(i)));
+  return and_list(std::move(each));
+}
+
+void words(const Story& story, FrameText& text) {
+  const LessonRun& run = story.run;
+  const std::vector<const PositionedRun*> runs =
+      all_runs(run, story.effects.get<FlatRuns>(story.frame));
+  const auto at = [&](const PositionedRun& each) {
+    return step_with(each.trace, run, story.frame);
+  };
+  std::vector<std::string> ended;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (has_ended(runs[i]->trace, at(*runs[i]))) ended.push_back(place_of(i));
+  }
+  if (ended.size() == runs.size()) {
+    text.caption = fmt::format(
+        "All runs have ended. The most points that S had: {}.",
+        listed(runs, [&](const PositionedRun& each) { return most_points(each.trace, at(each)); }));
+    text.detail =
+        "In m dimensions m + 1 are enough: P always lies in a simplex of so many vertices.";
+    return;
+  }
+  const std::string over =
+      ended.empty()       ? ""
+      : ended.size() == 1 ? fmt::format(" The run {} has ended.", ended.front())
+                          : fmt::format(" The runs {} have ended.", and_list(std::move(ended)));
+  if (story.knows.phase_is(Phase::support)) {
+    text.caption = fmt::format("V is {}.", listed(runs, [&](const PositionedRun& each) {
+                                 const WideState& state = state_at(each.trace, at(each));
+                                 return run.pair_name(state.support.pair);
+                               }));
+    text.detail = fmt::format("It joins S where it is closer along d than P.{}", over);
+    return;
+  }
+  text.caption =
+      fmt::format("Points of S that P needs: {}.", listed(runs, [&](const PositionedRun& each) {
+                    return gjk::vertex_count(state_at(each.trace, at(each)).region);
+                  }));
+  text.detail = fmt::format(
+      "The others are dropped. The most that S has had: {}.{}",
+      listed(runs, [&](const PositionedRun& each) { return most_points(each.trace, at(each)); }),
+      over);
+}
+
+void start(const Story& story, FrameText& text) {
+  const bool in_space = story.run.lesson.dimension == 3;
+  text.caption = in_space ? "The same loop runs on a line, in a plane and in space."
+                          : "The same loop runs on a line and in the plane.";
+  text.detail = fmt::format("{}: the shapes of the last view, pressed flat.",
+                            in_space ? "On the line and in the plane" : "On the line");
+}
+
+// ---- the panel ----
+
+void dimensions(PanelBuilder& panel) {
+  const std::vector<const PositionedRun*> runs =
+      all_runs(panel.run, panel.effects.get<FlatRuns>(panel.frame));
+  const double width = panel.right - panel.left;
+  const auto column = [&](int i) { return panel.right - width * 0.24 * (2 - i); };
+  panel.write("heading", panel.left, "m", type::kHeading);
+  for (const auto& [i, title] :
+       {std::pair(0, "S now"), std::pair(1, "most"), std::pair(2, "distance")})
+    panel.write("heading", column(i), title, type::kHeading, Align::right);
+  panel.y += rows::kRow;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const WideTrace& trace = runs[i]->trace;
+    const int step = step_with(trace, panel.run, panel.frame);
+    const WideState& state = state_at(trace, step);
+    const bool ended = has_ended(trace, step);
+    panel.write("strong", panel.left, fmt::format("{}  {}", i + 1, place_of(i)), type::kBody);
+    panel.write("code", column(0), std::to_string(state.simplex.count), type::kCode, Align::right);
+    panel.write("code", column(1), std::to_string(most_points(trace, step)), type::kCode,
+                Align::right);
+    panel.write(ended ? "code.current" : "code", column(2),
+                step < 0 ? "–" : panel.numbers(std::sqrt(state.p_sq)), type::kCode, Align::right);
+    panel.y += rows::kRow;
+  }
+}
+
+}  // namespace
+
+const Act kAct{
+    .name = "dimensions",
+    .meaning =
+        "closest point and support point of runs on a line, in a plane and in space, one "
+        "view each",
+    .needs = {.path = PathUse::refused, .in_space = true},
+    .add_frames = frames,
+    .follows_run = true,
+    .asks = kAsks,
+    .answering_step = answering_step,
+    .algorithm = &kGjkAlgorithm,
+    .position = position_in_run,
+    .tick = tick_of_step,
+    .start = start,
+    .words = words,
+    .stage = layers::stage_step,
+    .question = question,
+    .in_view = in_view,
+};
+
+const Block kBlock{.name = "dimensions",
+                   .meaning = "points of S and distance on a line, in a plane and in space",
+                   .write = dimensions,
+                   .act = kAct.name,
+                   .shown_of = ShownOf::both};
+
+const EffectInfo kEffect = shown_of(
+    ShownOf::both, effect_info<FlatRuns>(
+                       "frame", "runs of the shapes pressed onto a line and a plane", kAct.name));
+
+}  // namespace gjkscope::dimensions

@@ -1,0 +1,20 @@
+#pragma once
+// The same thing in one, two and three dimensions, one view for each.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "run/effect_info.hpp"
+
+/// GJK on a line, in a plane and in space, phase by phase.
+namespace gjkscope::dimensions {
+extern const Act kAct;
+extern const Block kBlock;
+extern const EffectInfo kEffect;
+}  // namespace gjkscope::dimensions
+
+/// Barycentric weights as fractions of a length, an area and a volume.
+namespace gjkscope::fractions {
+extern const Act kAct;
+extern const Block kBlock;
+extern const EffectInfo kEffect;
+}  // namespace gjkscope::fractions
