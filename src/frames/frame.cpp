@@ -247,6 +247,19 @@ struct PageWriter {
 }  // namespace
 
 /// One view of the lesson: its scenes, and the labels' memory.
+/// In space, where lines may lead anywhere, a point moved in would turn those that lead to it.
+bool is_magnified(const LessonRun& run, const LessonPictures::ShownView& view) {
+  if (run.lesson.dimension == 2) return false;
+  const double scale = StageMap(view.card, view.camera).scale();
+  return std::any_of(run.runs.begin(), run.runs.end(), [&](const PositionedRun& positioned) {
+    return std::any_of(positioned.bodies.begin(), positioned.bodies.end(), [&](const Body& body) {
+      return std::any_of(body.world.begin(), body.world.end(), [&](const auto& vertex) {
+        return scale * (vertex - view.camera.center).norm() > StageMap::kFarthest;
+      });
+    });
+  });
+}
+
 struct LessonPictures::View {
   std::size_t index;  ///< Among the lesson's views.
   ShownView shown;
@@ -259,6 +272,8 @@ struct LessonPictures::View {
   std::vector<std::string> title = {};  ///< Line by line.
   Rect title_box = {};
   bool is_close_up = false;
+  bool is_cut =
+      false;      ///< Its marks are cut at the card: what is far is farther than painters can tell.
   int clip = -1;  ///< Index in the picture that is drawn.
   std::unique_ptr<View> close_up = nullptr;
 
@@ -390,6 +405,7 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
                   std::vector<std::optional<Scene>>(run_.frames.size())};
     };
     View& shown = views_.emplace_back(made(card, camera));
+    shown.is_cut = is_magnified(run_, shown.shown);
     shown.title = title;
     shown.title_box = {card.min, card.min + title_size};
     if (!view.close_up) continue;
@@ -397,6 +413,7 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
     View near = made(corner, view.close_up->camera);
     std::erase(near.of.effects, std::string(Grid::kName));
     near.is_close_up = true;
+    near.is_cut = true;
     const double times =
         StageMap(corner, near.shown.camera).scale() / StageMap(card, shown.shown.camera).scale();
     near.title = {"× " + magnification(times)};
@@ -416,7 +433,7 @@ std::vector<LessonPictures::ShownView> LessonPictures::views() const {
 const Scene& LessonPictures::scene(View& view, std::size_t index) {
   std::optional<Scene>& scene = view.scenes[index];
   if (!scene) {
-    const double farthest = view.is_close_up ? HUGE_VAL : StageMap::kFarthest;
+    const double farthest = view.is_cut ? HUGE_VAL : StageMap::kFarthest;
     const StageMap map(view.shown.card, view.shown.camera, farthest);
     const Frame& frame = run_.frames[index];
     FrameInView in{&run_, &effects_, frame};
@@ -427,7 +444,7 @@ const Scene& LessonPictures::scene(View& view, std::size_t index) {
       in.adds(more);
       scene->append(more.out);
     }
-    if (view.is_close_up) scene->marks = cut(scene->marks, view.shown.card);
+    if (view.is_cut) scene->marks = cut(scene->marks, view.shown.card);
     if (view.close_up) view.tell_close_up(*scene);
   }
   return *scene;

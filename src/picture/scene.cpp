@@ -251,15 +251,18 @@ void SceneBuilder::search_arrow(const Point& from, const Eigen::Vector3d& d, dou
                                     Point(along.y(), -along.x())));
 }
 
+double SceneBuilder::plane_half_width() const {
+  constexpr double kOfView = 0.22;
+  return kOfView * map.area().size().y() / map.scale();
+}
+
 void SceneBuilder::support_plane(const Eigen::Vector3d& w, const Eigen::Vector3d& d,
                                  const std::string& role) {
   if (!map.is_of_space()) return support_line(at_difference(w), d, role);
-  constexpr double kOfView = 0.22;  // half a side, of the view's height: about the size of Z
   const Eigen::Vector3d n = d.normalized();
   // Around the place of the plane that is nearest to the middle of the view.
   const Eigen::Vector3d from = map.center() - shift;
-  draw_plane(*this, from + n * n.dot(w - from) + shift, n,
-             kOfView * map.area().size().y() / map.scale(), role);
+  draw_plane(*this, from + n * n.dot(w - from) + shift, n, plane_half_width(), role);
 }
 
 void SceneBuilder::support_line(const Point& through, const Eigen::Vector3d& d,
@@ -270,8 +273,12 @@ void SceneBuilder::support_line(const Point& through, const Eigen::Vector3d& d,
 
 void SceneBuilder::length_label(const std::string& id, double length, const Point& from,
                                 const Point& to) {
-  if ((to - from).norm() < 1.0) return;
-  out.moving_labels.push_back(label(id, Numbers(run.lesson)(length), "distance.label",
+  const double seen = (to - from).norm();
+  if (seen < 1.0) return;
+  constexpr double kAsLong = 0.95;  // more cannot be told from the whole
+  const bool is_short = map.is_of_space() && seen < kAsLong * length * map.scale();
+  const std::string text = Numbers(run.lesson)(length) + (is_short ? ", foreshortened" : "");
+  out.moving_labels.push_back(label(id, text, "distance.label",
                                     type::kSmallVertex, 0.5 * (from + to), 2.0,
                                     Point(from.y() - to.y(), to.x() - from.x())));
 }

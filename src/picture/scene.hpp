@@ -193,7 +193,10 @@ struct SceneBuilder {
   /// The line through a point of the difference, normal to d; in space a part of the plane.
   void support_plane(const Eigen::Vector3d& w, const Eigen::Vector3d& d,
                      const std::string& role = "support.plane");
-  /// A length beside the line that it is the length of; none within a pixel.
+  /// Half a side of the part of a plane that is drawn: about the size of Z.
+  [[nodiscard]] double plane_half_width() const;
+  /// A length beside the line that it is the length of, and whether space shows it shorter; none
+  /// within a pixel.
   void length_label(const std::string& id, double length, const Point& from, const Point& to);
 
   [[nodiscard]] bool shows(std::string_view effect) const { return view.calls_for(effect); }

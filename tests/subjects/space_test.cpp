@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -10,8 +11,10 @@
 #include "frames/frame.hpp"
 #include "lessons.hpp"
 #include "picture/solid.hpp"
+#include "subjects/run/direction_rules.hpp"
 #include "subjects/space/region.hpp"
 #include "subjects/space/solids.hpp"
+#include "subjects/support/slab.hpp"
 
 namespace gjkscope {
 namespace space_drawing_test {
@@ -128,6 +131,64 @@ TEST(Differences, OfTwoPolyhedraAreAllInTheirHull) {
       }
     }
   }
+}
+
+/// Between planes through a vertex of Y and one of X there is no other vertex, and it gets as wide
+/// as the distance.
+TEST(Slabs, InSpaceAreEmpty) {
+  const LessonRun run = run_lesson(shipped_lesson("slab-in-space"));
+  EffectGraph effects(run);
+  double widest = 0.0;
+  for (const Frame& frame : run.frames) {
+    const Slab::Value& slab = effects.get<Slab>(frame);
+    if (!slab) continue;
+    const Vector3d& x = run.run(frame).x().world[static_cast<std::size_t>(slab->support.pair.x)];
+    const double side = slab->normal.dot(x);
+    for (const Vector3d& each : run.run(frame).x().world)
+      EXPECT_GE(slab->normal.dot(each), side - 1e-12);
+    for (const Vector3d& each : run.run(frame).y().world)
+      EXPECT_LE(slab->normal.dot(each), side - slab->width + 1e-12);
+    widest = std::max(widest, slab->width);
+  }
+  EXPECT_NEAR(widest, run.runs[0].trace.result.distance, 1e-12);
+}
+
+TEST(Directions, FromAnEdgeInSpaceMinusPIsFartherFromPerpendicular) {
+  const LessonRun run = run_lesson(shipped_lesson("edge-direction"));
+  EffectGraph effects(run);
+  const auto frame = std::find_if(run.frames.begin(), run.frames.end(), [&](const Frame& each) {
+    return each.step >= 0 && run.step(each).phase == gjk::Phase::direction;
+  });
+  ASSERT_NE(frame, run.frames.end());
+  const DirectionRules::Value& rules = effects.get<DirectionRules>(*frame);
+  ASSERT_EQ(rules.size(), 2u);
+  EXPECT_GT(rules[0].degrees_off, 1.0);
+  EXPECT_LT(rules[1].degrees_off, 0.1);
+  // The numbers that the frame shows are those of the scalar: it is not 0, as in the plane.
+  EXPECT_NE(rules[1].dot_with_edge, 0.0);
+}
+
+TEST(Lengths, SayWhereAViewShowsThemShorter) {
+  const LessonRun run = run_lesson(shipped_lesson("polyhedra-witness"));
+  EffectGraph effects(run);
+  LessonPictures pictures(run, effects, fonts());
+  const WideResult& result = run.runs[0].trace.result;
+  const Vector3d way = result.y - result.x;
+  const auto is_said_from = [&](const Eye& eye) {
+    std::vector<std::optional<Sight>> sights(run.lesson.views.size());
+    sights[0] = Sight{pictures.views()[0].camera, 1.0};
+    sights[0]->camera.eye = eye;
+    pictures.lay_out({}, sights, LabelScope::frame);
+    const Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
+    return std::any_of(picture.marks.begin(), picture.marks.end(), [](const Mark& mark) {
+      const auto* text = std::get_if<Text>(&mark.shape);
+      return text != nullptr && text->text.find("foreshortened") != std::string::npos;
+    });
+  };
+  constexpr double kDegrees = 57.29577951308232;
+  const double along = std::atan2(way.y(), way.x()) * kDegrees;
+  EXPECT_FALSE(is_said_from(eye_across(way)));
+  EXPECT_TRUE(is_said_from({along + 60.0, 10.0}));
 }
 
 }  // namespace space_drawing_test

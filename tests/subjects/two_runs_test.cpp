@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -211,6 +212,29 @@ TEST(TwoRuns, OtherRulesMakeASecondRun) {
   EffectGraph effects(run);
   EXPECT_NE(lesson_texts(run, effects).front().caption.find("The run with d across the edge"),
             std::string::npos);
+}
+
+/// In space a dropped vertex may lie, rounded, a little farther along d than the face that holds P.
+TEST(TwoRuns, InSpaceARunWithoutTheTestForProgressFindsOneVertexAgainAndAgain) {
+  const LessonRun run = run_of(load_lesson(kLessons / "progress.toml", vocabulary()));
+  const TwoRunsTrace& both = trace_of(run);
+  const WideTrace& first = both.runs[0].runs[0].trace;
+  const WideTrace& second = both.runs[1].runs[0].trace;
+  EXPECT_EQ(first.result.stop, gjk::StopReason::no_progress);
+  EXPECT_EQ(second.result.stop, gjk::StopReason::iteration_cap);
+  EXPECT_EQ(both.shown[static_cast<std::size_t>(both.parting)].phase, gjk::Phase::stop);
+  gjk::VertexPair last{};
+  int repeated = 0;
+  for (const WideStep& step : second.steps) {
+    if (step.phase != gjk::Phase::support) continue;
+    repeated = step.after.support.pair == last ? repeated + 1 : 0;
+    last = step.after.support.pair;
+  }
+  EXPECT_GT(repeated, 50);
+  EffectGraph effects(run);
+  EXPECT_NE(lesson_texts(run, effects).front().caption.find("but goes on"), std::string::npos);
+  const auto json = both.json(run.lesson, run.runs[0]);
+  EXPECT_EQ(json["steps"][0]["first"]["P"].size(), 3u);
 }
 
 TEST(TwoRuns, TheTableSaysOneRun) {

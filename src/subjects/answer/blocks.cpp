@@ -246,6 +246,7 @@ void bound_steps(PanelBuilder& panel) {
 
 const Block kBoundSteps{.name = "bound-steps",
                         .meaning = "lower and upper bound of the distance after each iteration",
-                        .write = bound_steps};
+                        .write = bound_steps,
+                        .shown_of = ShownOf::both};
 
 }  // namespace gjkscope::blocks

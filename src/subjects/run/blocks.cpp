@@ -220,6 +220,11 @@ namespace {
 
 void direction_rules(PanelBuilder& panel) {
   panel.heading("Two ways to build d");
+  const bool in_space = panel.run.lesson.dimension == 3;
+  // Three coordinates have no room for all digits of a float.
+  Lesson shown = panel.run.lesson;
+  if (in_space) shown.scalar = ScalarKind::double_;
+  const Numbers numbers(shown);
   const auto phase = panel.knows.phase;
   const bool built = panel.state.simplex.count == 2 &&
                      (phase == Phase::direction || phase == Phase::support || phase == Phase::stop);
@@ -233,8 +238,10 @@ void direction_rules(PanelBuilder& panel) {
        {gjk::DirectionRule::towards_origin, gjk::DirectionRule::perpendicular}) {
     const bool towards = rule == gjk::DirectionRule::towards_origin;
     panel.write("strong", panel.left,
-                towards ? fmt::format("d = {} − P", query_name(panel.run))
-                        : fmt::format("d = cross({}, z)", edge),
+                towards    ? fmt::format("d = {} − P", query_name(panel.run))
+                : in_space ? fmt::format("d = cross(e, cross(e, {} − {}))",
+                                         built ? panel.words.vertex(0) : "A", query_name(panel.run))
+                           : fmt::format("d = cross({}, z)", edge),
                 type::kStrong);
     const bool used = panel.run.lesson.options.direction_rule == rule;
     panel.write("body.muted", panel.right, used ? "used by this run" : "for comparison",
@@ -244,20 +251,24 @@ void direction_rules(PanelBuilder& panel) {
         std::find_if(rules.begin(), rules.end(), [&](const auto& b) { return b.rule == rule; });
     const bool known = found != rules.end();
     panel.write("code", panel.left + 12.0, "d", type::kCode);
-    panel.write("code.current", panel.right, known ? panel.numbers.point(found->d) : "–",
-                type::kCode, Align::right);
+    panel.write("code.current", panel.right, known ? numbers.point(found->d) : "–", type::kCode,
+                Align::right);
     panel.y += kTightRow;
     panel.write("code", panel.left + 12.0, fmt::format("dot(d, {})", edge), type::kCode);
-    panel.write(known && found->dot_with_edge == 0.0 ? "pass"
-                : known                              ? "fail"
-                                                     : "code",
+    constexpr double kAlmost = 0.1;  // degrees: less cannot be seen
+    const bool passes =
+        known && (in_space ? found->degrees_off < kAlmost : found->dot_with_edge == 0.0);
+    panel.write(passes  ? "pass"
+                : known ? "fail"
+                        : "code",
                 panel.right, known ? panel.numbers(found->dot_with_edge) : "–", type::kCodeBold,
                 Align::right);
     panel.y += kTightRow;
     panel.write("body.muted", panel.left + 12.0,
                 !known                        ? ""
                 : found->dot_with_edge == 0.0 ? "exactly perpendicular"
-                                              : "not perpendicular: P is rounded",
+                : in_space ? fmt::format("{}° from perpendicular", fixed(found->degrees_off, 2))
+                           : "not perpendicular: P is rounded",
                 type::kBody);
     panel.y += kRow + 6.0;
   }
@@ -267,6 +278,7 @@ void direction_rules(PanelBuilder& panel) {
 
 const Block kDirectionRules{.name = "direction-rules",
                             .meaning = "both ways to build the search direction, side by side",
-                            .write = direction_rules};
+                            .write = direction_rules,
+                            .shown_of = ShownOf::both};
 
 }  // namespace gjkscope::blocks

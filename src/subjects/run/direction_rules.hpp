@@ -3,9 +3,9 @@
 
 namespace gjkscope {
 
-/// Both ways to build the search direction from one simplex, in the lesson's scalar, and how far
-/// each is from being perpendicular to the edge (Catto 2010, slides "A bad direction" and "An
-/// accurate search direction").
+/// Both ways to build the search direction from a segment, in the lesson's scalar, and how far each
+/// is from being perpendicular to it (Catto 2010, slides "A bad direction" and "An accurate search
+/// direction").
 struct DirectionRules {
   static constexpr std::string_view kName = "direction-rules";
   static constexpr std::string_view kNeeds = "";
@@ -13,6 +13,7 @@ struct DirectionRules {
     gjk::DirectionRule rule = gjk::DirectionRule::perpendicular;
     Eigen::Vector3d d = Eigen::Vector3d::Zero();
     double dot_with_edge = 0.0;
+    double degrees_off = 0.0;  ///< From being perpendicular to the edge.
   };
   /// Both rules; empty where the simplex is not a segment.
   using Value = std::vector<Built>;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -106,13 +108,18 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
                                    : column.state->p;
   };
   const auto d = [](const RunColumn& column) { return column.state->d; };
-  coordinate("P.x", Phase::closest, p, 0);
-  coordinate("P.y", Phase::closest, p, 1);
-  coordinate("d.x", Phase::direction, d, 0);
-  coordinate("d.y", Phase::direction, d, 1);
-  row("towards", known(Phase::direction), d, [](const RunColumn&, const Eigen::Vector3d& along) {
-    return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
-  });
+  const int dimension = panel.run.lesson.dimension;
+  const std::string_view axes = "xyz";
+  for (int axis = 0; axis < dimension; ++axis)
+    coordinate(fmt::format("P.{}", axes[static_cast<std::size_t>(axis)]), Phase::closest, p, axis);
+  for (int axis = 0; axis < dimension; ++axis)
+    coordinate(fmt::format("d.{}", axes[static_cast<std::size_t>(axis)]), Phase::direction, d,
+               axis);
+  if (dimension == 2) {
+    row("towards", known(Phase::direction), d, [](const RunColumn&, const Eigen::Vector3d& along) {
+      return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
+    });
+  }
   const auto as_it_is = [](const RunColumn&, const std::string& text) { return text; };
   row(
       "support", known(Phase::support),

@@ -113,6 +113,9 @@ ActTable read_second(const TableSource& source) {
   if ((mistake ? 1 : 0) + (log ? 1 : 0) + (by_gjk ? 1 : 0) != 1) {
     refuse(source.place, "[second] does not say which run it is",
            "a mistake, a log, or what differs in a run of GJK: scalar, direction, regions, stop");
+  } else if (mistake && source.lesson.dimension == 3) {
+    refuse(mistake.place(), "a mistake in a loop in space",
+           "points [x, y]: the textbook's page is of the plane");
   } else if (source.lesson.act != kSideBySide && (!second.is_gjk() || second.has_rules() || log)) {
     refuse(
         source.place, "a second run that differs from the first in more than its scalar",

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -53,8 +55,7 @@ bool is_tie(const WideState& state, gjk::VertexPair other) {
 }
 
 double degrees_between(const Vector3d& a, const Vector3d& b) {
-  const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  return std::abs(angle) * 180.0 / std::numbers::pi;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
 }
 
 /// How the other run finds the query point inside, and whether the first one does with the other
@@ -70,8 +71,12 @@ std::string inside(const Story& story, const SecondRun::Value& second,
   const std::optional<PositionedRun>& mended = second.mended;
   if (mended && mended->trace.result.stop == gjk::StopReason::origin_inside &&
       triangle(*mended) == found) {
-    out += fmt::format(" So does {} with d = cross({} − {}, z).", in_first, story.words.vertex(1),
-                       story.words.vertex(0));
+    const std::string edge = fmt::format("{} − {}", story.words.vertex(1), story.words.vertex(0));
+    const std::string d = story.run.lesson.dimension == 3
+                              ? fmt::format("cross(e, cross(e, {} − {})), where e = {}",
+                                            story.words.vertex(0), story.q, edge)
+                              : fmt::format("cross({}, z)", edge);
+    out += fmt::format(" So does {} with d = {}.", in_first, d);
   }
   return out;
 }
@@ -93,7 +98,9 @@ void second_run(const Story& story, FrameText& text) {
   in_other.scalar = scalar;
   const Numbers numbers(in_other);
   const auto point = [&](const Vector3d& v) {
-    return fmt::format("({}, {})", numbers(v.x()), numbers(v.y()));
+    std::vector<std::string> coordinates;
+    for (int i = 0; i < in_other.dimension; ++i) coordinates.push_back(numbers(v[i]));
+    return fmt::format("({})", fmt::join(coordinates, ", "));
   };
   const double degrees = degrees_between(mine.d, beside.d);
   const std::string name = story.run.pair_name(mine.support.pair);

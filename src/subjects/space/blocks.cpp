@@ -11,8 +11,16 @@ namespace {
 
 void faces(PanelBuilder& panel) {
   constexpr double kHeight = 23.0;
-  const int step = std::max(panel.run.gjk_step(panel.frame), 0);
-  const WideSimplex& simplex = state_before(panel.run.run(panel.frame).trace, step).simplex;
+  // Once P is known, its simplex is that of the closest-point step, before any vertex is dropped.
+  const std::vector<WideStep>& steps = panel.run.run(panel.frame).trace.steps;
+  const bool tries = panel.knows.gradual;
+  int step = panel.run.gjk_step(panel.frame);
+  while (step > 0 && steps[static_cast<std::size_t>(step)].phase != gjk::Phase::closest) --step;
+  const bool is_tested = step >= 0 && (tries || panel.knows.closest_point);
+  const WideSimplex& simplex = is_tested
+                                   ? state_before(panel.run.run(panel.frame).trace, step).simplex
+                                   : panel.state.simplex;
+  const gjk::Face region = is_tested ? steps[static_cast<std::size_t>(step)].after.region : 0;
   panel.write("heading", panel.left, "Region", type::kHeading);
   panel.write("heading", panel.right, "conditions that hold", type::kHeading, Align::right);
   panel.y += rows::kRow;
@@ -20,10 +28,9 @@ void faces(PanelBuilder& panel) {
   const gjk::FaceList order = gjk::tested_faces(simplex.count, gjk::RegionOrder::vertices_first);
   for (int i = 0; i < order.count; ++i) {
     const gjk::Face face = order.faces[i];
-    const bool tries = panel.knows.gradual;
     const bool is_reached = !tries || i <= panel.knows.tests_reached;
     const bool knows = tries ? is_reached : panel.knows.closest_point;
-    const bool wins = panel.knows.closest_point && face == panel.state.region;
+    const bool wins = panel.knows.closest_point && face == region;
     const bool current = wins || (tries && i == panel.knows.tests_reached);
     if (current) panel.highlight(wins ? "highlight.pass" : "highlight");
     const TextStyle style = current ? type::kStrong : type::kBody;

@@ -11,6 +11,7 @@ const SubjectParts subjects::space{
                 &effect_infos::kRegionSolid, &effect_infos::kFacesBefore},
     .legend = {{"support.plane", "support plane, normal to d"},
                {"support.best", "best support plane so far"},
+               {"slab.plane", "side of the empty slab"},
                {"simplex.face", "the face that holds P"},
                {"region.solid", "the region of this feature, cut off"},
                {"face.before", "a face that Q lies beyond"},

@@ -37,7 +37,7 @@ Slab::Value Slab::compute(EffectGraph& graph, const LessonRun&, const Frame& fra
 const EffectInfo effect_infos::kBestSupport =
     effect_info<BestSupport>("frame", "the support line that proves most of the distance");
 
-const EffectInfo effect_infos::kSlab =
-    effect_info<Slab>("view", "the widest strip proved empty between X and Y");
+const EffectInfo effect_infos::kSlab = shown_of(
+    ShownOf::both, effect_info<Slab>("view", "the widest strip proved empty between X and Y"));
 
 }  // namespace gjkscope

@@ -1,4 +1,5 @@
 #include "outlines/polygon.hpp"
+#include "picture/solid.hpp"
 #include "subjects/support/slab.hpp"
 #include "subjects/support/subject.hpp"
 #include "subjects/support/touched_points.hpp"
@@ -22,10 +23,39 @@ const Layer kTouchedPoints{.effect = gjkscope::TouchedPoints::kName,
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kTick = 6.0;  // half a stroke at an end of the width
+
+/// Its width, across the slab from a point of X's side; `tick` is the way of the ends' strokes.
+void slab_width(SceneBuilder& scene, double width, const Point& from, const Point& to,
+                const Point& tick) {
+  scene.line("slab.width", from, to);
+  for (const Point& end : {from, to}) scene.add("slab.width", Polyline{{end - tick, end + tick}});
+  scene.length_label("slab", width, from, to);
+}
+
+/// Parts of both planes, one opposite to the other.
+void slab_in_space(SceneBuilder& scene, const BestSupport::Strip& strip) {
+  const Vector3d x_side =
+      scene.shows_difference ? Vector3d(scene.shift) : scene.vertex_of_x(strip.support);
+  const Vector3d y_side = x_side - strip.width * strip.normal;
+  const double half = scene.plane_half_width();
+  for (const Vector3d& side : {y_side, x_side}) {
+    const Vector3d center =
+        scene.map.center() + strip.normal * strip.normal.dot(side - scene.map.center());
+    draw_plane(scene, center, strip.normal, half, "slab.plane");
+  }
+  if (scene.knows.has_ended) return;
+  const Point across = scene.map.direction(strip.normal);
+  const Point tick = Point(-across.y(), across.x()).normalized();
+  slab_width(scene, strip.width, scene.at(x_side), scene.at(y_side), kTick * tick);
+}
 
 void slab(SceneBuilder& scene) {
   const Slab::Value& strip = scene.effects.get<Slab>(scene.frame);
   if (!strip) return;
+  if (scene.map.is_of_space()) return slab_in_space(scene, *strip);
   const bool in_difference = scene.shows_difference;
   const Vector2d y_side =
       in_plane(in_difference ? strip->support.w : scene.vertex_of_y(strip->support));
@@ -47,13 +77,8 @@ void slab(SceneBuilder& scene) {
   }
   // At the end the answer's line is as long, or nearly so.
   if (scene.knows.has_ended) return;
-  const Point from = scene.at(x_side);
-  const Point to = scene.at(x_side - strip->width * normal);
-  scene.line("slab.width", from, to);
-  constexpr double kTick = 6.0;
-  const Point tick = kTick * scene.map.direction(along);
-  for (const Point& end : {from, to}) scene.add("slab.width", Polyline{{end - tick, end + tick}});
-  scene.length_label("slab", strip->width, from, to);
+  slab_width(scene, strip->width, scene.at(x_side), scene.at(x_side - strip->width * normal),
+             kTick * scene.map.direction(along));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ void slab(const Story& story, FrameText& text) {
   const auto& [lower, upper] = story.run.bounds(story.frame);
   const std::string low = story.numbers(lower);
   const std::string high = story.numbers(upper);
+  const std::string lines = lesson.dimension == 3 ? "planes" : "lines";
   const BestSupport::Value& widest = story.effects.get<BestSupport>(story.frame);
   if (story.knows.phase_is(gjk::Phase::closest)) {
     text.caption = fmt::format(
@@ -35,8 +36,9 @@ void slab(const Story& story, FrameText& text) {
   if (story.knows.phase_is(gjk::Phase::support)) {
     const double gap = -story.state.support_value / story.state.d.norm();
     if (!(gap > 0.0)) {
-      text.caption = fmt::format(
-          "The lines through {} and {} leave no gap: this d does not separate the shapes.", k, c);
+      text.caption =
+          fmt::format("The {} through {} and {} leave no gap: this d does not separate the shapes.",
+                      lines, k, c);
       text.detail = fmt::format("The distance still lies between {} and {}.", low, high);
     } else if (is_found_by(*widest, story.state)) {
       text.caption = fmt::format(
@@ -49,9 +51,8 @@ void slab(const Story& story, FrameText& text) {
           "{}.",
           lesson.x().name, lesson.y().name, low, high);
     } else {
-      text.caption =
-          fmt::format("The lines through {} and {} are {} apart: an earlier slab is wider.", k, c,
-                      story.numbers(gap));
+      text.caption = fmt::format("The {} through {} and {} are {} apart: an earlier slab is wider.",
+                                 lines, k, c, story.numbers(gap));
       text.detail = fmt::format("The distance lies between {} and {}.", low, high);
     }
     return;

@@ -37,7 +37,7 @@ struct EffectsOfTwoRuns {
 namespace gjkscope::two_runs {
 namespace {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 using gjk::Phase;
 using judging::Part;
 
@@ -78,10 +78,16 @@ struct Shown {
   [[nodiscard]] const std::optional<judging::Finding>& wrong() const {
     return both.judgement->wrong;
   }
+  /// The share that rounding may make of an answer. Between runs in two scalars it is the point.
+  [[nodiscard]] double rounding() const {
+    const ScalarKind scalar = both.runs[1].lesson.scalar;
+    const bool is_rounded = second.has_rules() && !second.scalar;
+    if (is_rounded && scalar == ScalarKind::single) return 1e-5;
+    return is_rounded && scalar == ScalarKind::half ? 1e-1 : 1e-12;
+  }
   /// An error that is more than rounding.
   [[nodiscard]] bool errs() const {
-    constexpr double kRounding = 1e-12;
-    return !(both.answer("error") <= kRounding * std::max(both.exact, answer(1)));
+    return !(both.answer("error") <= rounding() * std::max(both.exact, answer(1)));
   }
   [[nodiscard]] const Mistake& mistake() const { return mistake_called(second.mistake); }
 
@@ -287,14 +293,14 @@ void draw_error(SceneBuilder& scene) {
   const Shown shown(scene.run, scene.frame);
   if (!shown.both.fits || !shown.errs() || !std::isfinite(shown.answer(1))) return;
   const WideResult& first = shown.both.runs[0].runs[0].trace.result;
-  const Vector2d x = in_plane(first.x);
-  Vector2d way = in_plane(first.y) - x;
-  if (way.isZero()) way = in_plane(shown.both.runs[1].state(shown.frame_of(1)).p);
+  const Vector3d& x = first.x;
+  Vector3d way = first.y - x;
+  if (way.isZero()) way = shown.both.runs[1].state(shown.frame_of(1)).p;
   if (way.isZero()) return;
   way.normalize();
-  const Vector2d base = scene.view.kind == ViewKind::world ? x : Vector2d(0.0, 0.0);
-  const Point from = scene.at(Vector2d(base + shown.answer(0) * way));
-  const Point to = scene.at(Vector2d(base + shown.answer(1) * way));
+  const Vector3d base = scene.view.kind == ViewKind::world ? x : Vector3d(Vector3d::Zero());
+  const Point from = scene.at(base + shown.answer(0) * way);
+  const Point to = scene.at(base + shown.answer(1) * way);
   scene.line("second.error", from, to);
   const double error = shown.both.answer("error");
   scene.length_label("error", error, from, to);
@@ -333,7 +339,7 @@ void both_runs(PanelBuilder& panel) {
       inner,
       {blocks::RunColumn{name, first.runs[0], &inner.state, inner.numbers},
        blocks::RunColumn{shown.short_name(), second.runs[0], state, Numbers(second.lesson)}},
-      shown.is_in_scalars() ? 0.0 : kRounding);
+      shown.is_in_scalars() ? 0.0 : std::max(kRounding, shown.rounding()));
   panel.y = inner.y;
   std::move(inner.marks.begin(), inner.marks.end(), std::back_inserter(panel.marks));
 }
@@ -342,7 +348,9 @@ void two_answers(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   panel.heading("Answers");
   panel.row("distance", panel.numbers(shown.answer(0)));
-  panel.row(fmt::format("as {} answers", shown.name()), panel.numbers(shown.answer(1)));
+  panel.row(shown.second.has_rules() ? "the second run's answer"
+                                     : fmt::format("as {} answers", shown.name()),
+            panel.numbers(shown.answer(1)));
   panel.row("error", panel.numbers(shown.both.answer("error")));
 }
 
@@ -377,6 +385,7 @@ const Act kAct{
     .needs = {.table = &LessonSecond::kKind,
               .path = PathUse::refused,
               .most_vertices = 1000,
+              .in_space = true,
               .why_no_until = "frames show how both runs end"},
     .add_frames = add_algorithm_frames,
     .asks = kAsks,
@@ -395,11 +404,13 @@ const Act kAct{
 const Block kBothRuns{.name = "both-runs",
                       .meaning = "the numbers of both runs, and where they differ",
                       .write = both_runs,
-                      .act = kAct.name};
+                      .act = kAct.name,
+                      .shown_of = ShownOf::both};
 const Block kTwoAnswers{.name = "two-answers",
                         .meaning = "the distance, the second run's answer and its error",
                         .write = two_answers,
-                        .act = kAct.name};
+                        .act = kAct.name,
+                        .shown_of = ShownOf::both};
 const Block kChangedLine{.name = "changed-line",
                          .meaning = "the line of the textbook's page that the second run changes",
                          .write = changed_line,

@@ -202,6 +202,9 @@ Json TwoRunsTrace::json(const Lesson& lesson, const PositionedRun&) const {
     out["refused"] = second.log ? "the log is about other shapes" : "no run in this scalar";
     return out;
   }
+  const auto point = [&](const Eigen::Vector3d& v) {
+    return fields::point(v.head(lesson.dimension));
+  };
   out["steps"] = Json::array();
   for (const TwoRunsStep& step : shown) {
     Json each;
@@ -212,8 +215,8 @@ Json TwoRunsTrace::json(const Lesson& lesson, const PositionedRun&) const {
           step.at[k] < 0 ? runs[k].runs[0].trace.initial
                          : runs[k].runs[0].trace.steps[static_cast<std::size_t>(step.at[k])].after;
       Json side;
-      side["P"] = fields::point(in_plane(state.p));
-      if (step.phase >= Phase::direction) side["d"] = fields::point(in_plane(state.d));
+      side["P"] = point(state.p);
+      if (step.phase >= Phase::direction) side["d"] = point(state.d);
       if (step.phase >= Phase::support) side["support"] = runs[k].pair_name(state.support.pair);
       each[k == 0 ? "first" : "second_run"] = side;
     }
