@@ -47,8 +47,15 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   }
   const std::vector<bool> front = faces_in_front(scene.map, solid);
   const auto is_front = [&](int face) { return front[static_cast<std::size_t>(face)]; };
+  // Among many short edges those behind cannot be told apart, and at last none can.
+  constexpr double kHiddenRoom = 24.0;
+  constexpr double kRoom = 8.0;
+  double length = 0.0;
+  for (const Polyhedron::Edge& ends : solid.edges) length += (at(ends.from) - at(ends.to)).norm();
+  const double mean = length / static_cast<double>(solid.edges.size());
   for (const Polyhedron::Edge& ends : solid.edges) {
-    if (!is_front(ends.left) && !is_front(ends.right)) edge(ends, role + ".hidden");
+    if (mean > kHiddenRoom && !is_front(ends.left) && !is_front(ends.right))
+      edge(ends, role + ".hidden");
   }
   std::vector<Point> seen;
   for (const int vertex : solid.vertices) seen.push_back(at(vertex));
@@ -63,7 +70,7 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   }
   if (silhouette.size() > 2) scene.area(role, silhouette, subject);
   for (const Polyhedron::Edge& ends : solid.edges) {
-    if (is_front(ends.left) && is_front(ends.right)) edge(ends, role + ".edge");
+    if (mean > kRoom && is_front(ends.left) && is_front(ends.right)) edge(ends, role + ".edge");
   }
   scene.outline(silhouette);
 }

@@ -18,7 +18,7 @@ namespace gjkscope {
                                                 std::size_t points);
 
 /// The silhouette has the role, faces that turn away from the light ROLE.shade, edges ROLE.edge and
-/// ROLE.hidden. `points`: those that the hull was made of.
+/// ROLE.hidden, as far as they have room. `points`: those that the hull was made of.
 void draw_solid(SceneBuilder& scene, const Polyhedron& solid,
                 const std::vector<Eigen::Vector3d>& points, const std::string& role,
                 const Subject& subject = {});

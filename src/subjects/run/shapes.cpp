@@ -230,7 +230,8 @@ void solid(SceneBuilder& scene, std::size_t body) {
   const double radius = std::min(disk_radius(vertices), kPartOfRoom * room_of(vertices));
   const Point middle = centroid(vertices);
   for (std::size_t i = 0; i < world.size(); ++i) {
-    if (!seen[i] || (named[i] == Named::no && radius == 0.0)) continue;
+    // Among many vertices those alone have a mark that frames speak of: names lie on the body.
+    if (!seen[i] || (named[i] != Named::yes && radius == 0.0)) continue;
     const int index = static_cast<int>(i);
     scene.disk(role + (behind[i] ? ".vertex.hidden" : ".vertex"), vertices[i],
                radius > 0.0 ? radius : kNamedRadius,
