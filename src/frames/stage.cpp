@@ -49,7 +49,8 @@ std::vector<SphereInSpace> spheres_in_space(const LessonRun& run, ViewKind kind)
 
 /// Fits a sphere around all that a view shows, so that nothing leaves it when the eye walks.
 Camera camera_in_space(const LessonRun& run, const LessonView& view, const Rect& area) {
-  constexpr double kSide = 46.0;  // room for labels, and for the title
+  // Room for labels, and for the title.
+  const double side = std::min(46.0, 0.12 * area.size().x());
   const std::vector<SphereInSpace> seen = spheres_in_space(run, view.kind);
   Eigen::AlignedBox3d box;
   for (const SphereInSpace& sphere : seen) {
@@ -61,7 +62,7 @@ Camera camera_in_space(const LessonRun& run, const LessonView& view, const Rect&
     radius = std::max(radius, (sphere.center - box.center()).norm() + sphere.radius);
   constexpr double kShown = 0.88;  // of the sphere, which shapes hardly fill
   Camera camera{box.center(), radius > 0.0 ? 2.0 * kShown * radius : 1.0, 1.0, eye_of(run, view)};
-  camera.height *= area.size().y() / (area.size().minCoeff() - 2.0 * kSide);
+  camera.height *= area.size().y() / (area.size().minCoeff() - 2.0 * side);
   return camera;
 }
 

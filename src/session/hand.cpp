@@ -188,7 +188,12 @@ bool Hand::press(const Subject& subject, const Point& page, double handle_slack)
   release();
   const std::optional<std::size_t> view = view_at(page);
   if (!view) return false;
-  Held taken{selected, *view, page, to_view(*view, page), session_.version()};
+  Held taken{.subject = selected,
+             .view = *view,
+             .last = page,
+             .pressed = page,
+             .start = to_view(*view, page),
+             .version = session_.version()};
   taken.turns = is_on_handle(page, handle_slack);
   if (!taken.turns) {
     taken.subject = gjkscope::held(subject);
@@ -201,6 +206,24 @@ bool Hand::press(const Subject& subject, const Point& page, double handle_slack)
   }
   held_ = taken;
   return true;
+}
+
+Vector3d Hand::along_axis(const Held& held, const Point& page, const Vector3d& from) const {
+  const LessonPictures::ShownView shown = session_.views()[held.view];
+  const StageMap map(shown.card, shown.camera);
+  const Point way = page - held.pressed;
+  int best = 0;
+  double most = -1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double follows = std::abs(way.dot(map.direction(Vector3d::Unit(axis)).normalized()));
+    if (!(follows > most)) continue;
+    most = follows;
+    best = axis;
+  }
+  const Point unit = map(shown.camera.center + Vector3d::Unit(best)) - map(shown.camera.center);
+  const double to = from[best] + way.dot(unit) / unit.squaredNorm();
+  const double step = round_step(held.view).x();
+  return (std::round(to / step) * step - from[best]) * Vector3d::Unit(best);
 }
 
 bool Hand::move(const Point& page, bool snaps) {
@@ -225,10 +248,21 @@ bool Hand::move(const Point& page, bool snaps) {
   const bool is_plane = session_.lesson().dimension == 2;
   const Vector2d grid = snaps && is_plane ? round_step(held.view) : Vector2d::Zero();
   const auto on_grid = [&](const Vector3d& place) {
-    return is_plane ? in_space(snapped(in_plane(place), grid)) : place;
+    return in_space(snapped(in_plane(place), grid));
   };
   const std::size_t body = body_of(held.subject);
   const Body& shape = session_.run().run(session_.frame()).bodies[body];
+  Vector3d by = now - before;
+  if (!is_plane) {
+    const bool is_point = is_vertex(held.subject);
+    const Vector3d from =
+        is_point
+            ? Vector3d(shape.world[static_cast<std::size_t>(index_of(held.subject))] - held.went)
+            : Vector3d(Vector3d::Zero());
+    const Vector3d goal = snaps ? along_axis(held, page, from) : Vector3d(now - held.start);
+    by = goal - held.went;
+    held.went = goal;
+  }
   double degrees = 0.0;
   if (held.turns) {
     const Vector2d middle = centroid(in_plane(shape.world));
@@ -244,13 +278,14 @@ bool Hand::move(const Point& page, bool snaps) {
     if (held.turns) {
       edit::turn_shape(lesson, body, degrees);
     } else if (is_of_difference(held.subject)) {
-      edit::move_shape(lesson, body, now - before);  // Z = Y - X goes where Y goes
+      edit::move_shape(lesson, body, by);  // Z = Y - X goes where Y goes
     } else if (is_shape(held.subject)) {
-      edit::move_shape(lesson, body, on_grid(now - held.start) - on_grid(before - held.start));
+      edit::move_shape(lesson, body,
+                       is_plane ? on_grid(now - held.start) - on_grid(before - held.start) : by);
     } else {
       const auto index = static_cast<std::size_t>(index_of(held.subject));
       const Vector3d& at = shape.world[index];
-      const Vector3d to = is_plane ? on_grid(now) : Vector3d(at + now - before);
+      const Vector3d to = is_plane ? on_grid(now) : Vector3d(at + by);
       shape.world.size() == 1
           ? edit::move_shape(lesson, body, to - at)
           : edit::put_vertex(lesson, body, index_of(held.subject), shape.placement, to);

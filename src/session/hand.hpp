@@ -72,7 +72,8 @@ class Hand {
   bool press(const Subject& subject, const Point& page, double handle_slack = kSlack);
   /// Whether something is held.
   [[nodiscard]] bool holds() const { return held_.has_value(); }
-  /// Moves or turns what is held; `snaps`: by round numbers. False while the press is a click.
+  /// Moves or turns what is held; `snaps`: by round numbers, and in space along the one axis that
+  /// the pointer's way follows most. False while the press is a click.
   bool move(const Point& page, bool snaps);
   /// False when it was let go where no run can be shown: Session::problem says why, and all is as
   /// it was before.
@@ -85,12 +86,18 @@ class Hand {
     Subject subject;
     std::size_t view = 0;
     Point last;
-    Eigen::Vector3d start;  ///< In the view.
-    long version = 0;       ///< The lesson's, when it was taken.
+    Point pressed;
+    Eigen::Vector3d start;                           ///< In the view.
+    Eigen::Vector3d went = Eigen::Vector3d::Zero();  ///< In space: since then.
+    long version = 0;                                ///< The lesson's, when it was taken.
     bool turns = false;
     bool walks = false;  ///< The eye, around all that is shown.
     bool moved = false;
   };
+
+  /// Along an axis of space, so that its picture goes with the pointer, to a round coordinate.
+  [[nodiscard]] Eigen::Vector3d along_axis(const Held& held, const Point& page,
+                                           const Eigen::Vector3d& from) const;
 
   Session& session_;
   const Fonts& fonts_;

@@ -79,6 +79,28 @@ TEST_F(SpaceTest, AVertexFollowsThePointerAndKeepsItsDepth) {
   EXPECT_EQ(session.run().runs[0].trace.result.distance, distance);
 }
 
+TEST_F(SpaceTest, AVertexThatSnapsGoesAlongOneAxisToARoundPlace) {
+  for (const int axis : {0, 1, 2}) {
+    session.set_eye({35.0, 25.0});
+    const Vector3d before = session.run().run(session.frame()).y().world[0];
+    const Subject vertex{Subject::Kind::vertex_of_y, -1, 0};
+    const Point from = at(before);
+    const Point along = at(before + Vector3d::Unit(axis)) - from;
+    ASSERT_TRUE(hand.press(vertex, from));
+    EXPECT_TRUE(hand.move(from + Point(9.0, -4.0), false));  // anywhere at first
+    EXPECT_TRUE(hand.move(from + 0.33 * along + Point(1.0, 1.0), true));
+    EXPECT_TRUE(hand.release());
+    const Vector3d after = session.run().run(session.frame()).y().world[0];
+    for (int other = 0; other < 3; ++other) {
+      if (other == axis) continue;
+      EXPECT_NEAR(after[other], before[other], 1e-12) << axis;
+    }
+    EXPECT_NEAR(after[axis], before[axis] + 0.33, 0.15);
+    const double step = hand.round_step(0).x();
+    EXPECT_NEAR(std::remainder(after[axis], step), 0.0, 1e-12);
+  }
+}
+
 TEST_F(SpaceTest, ALessonAsItIsSeenHoldsTheEye) {
   session.set_eye({70.0, 35.0});
   const Lesson seen = session.lesson_as_seen();

@@ -134,12 +134,15 @@ void question(const Story& story, FrameText& text) {
 
 // ---- the words ----
 
-/// "1 on the line, 2 in the plane and 3 in space"
+/// "1 on the line, 2 in the plane and 3 in space", of those that count.
 template <class Value>
-std::string listed(const std::vector<const PositionedRun*>& runs, const Value& value) {
+std::string listed(const std::vector<const PositionedRun*>& runs, const Value& value,
+                   const std::vector<bool>& counts = {}) {
   std::vector<std::string> each;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    each.push_back(fmt::format("{} {}", value(*runs[i]), place_of(i)));
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (counts.empty() || counts[i])
+      each.push_back(fmt::format("{} {}", value(*runs[i]), place_of(i)));
+  }
   return and_list(std::move(each));
 }
 
@@ -151,8 +154,10 @@ void words(const Story& story, FrameText& text) {
     return step_with(each.trace, run, story.frame);
   };
   std::vector<std::string> ended;
+  std::vector<bool> goes_on;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (has_ended(runs[i]->trace, at(*runs[i]))) ended.push_back(place_of(i));
+    goes_on.push_back(!has_ended(runs[i]->trace, at(*runs[i])));
+    if (!goes_on.back()) ended.push_back(place_of(i));
   }
   if (ended.size() == runs.size()) {
     text.caption = fmt::format(
@@ -167,11 +172,11 @@ void words(const Story& story, FrameText& text) {
       : ended.size() == 1 ? fmt::format(" The run {} has ended.", ended.front())
                           : fmt::format(" The runs {} have ended.", and_list(std::move(ended)));
   if (story.knows.phase_is(Phase::support)) {
-    text.caption = fmt::format("V is {}.", listed(runs, [&](const PositionedRun& each) {
-                                 const WideState& state = state_at(each.trace, at(each));
-                                 return run.pair_name(state.support.pair);
-                               }));
-    text.detail = fmt::format("It joins S where it is closer along d than P.{}", over);
+    const auto support = [&](const PositionedRun& each) {
+      return run.pair_name(state_at(each.trace, at(each)).support.pair);
+    };
+    text.caption = fmt::format("V is {}.", listed(runs, support, goes_on));
+    text.detail = fmt::format("It joins S where it lies farther along d than P.{}", over);
     return;
   }
   text.caption =

@@ -43,6 +43,12 @@ std::string region_in_space(const Story& story, const gjk::RegionTest<double>& w
   for (const gjk::RegionTerm<double>& term : won.terms) {
     if (term.wants_positive || gjk::vertex_count(term.face) != size + 1) continue;
     const std::string opposite = story.words.vertex(term.vertex);
+    if (size == 3 && term.denominator == 0.0) {
+      return fmt::format(
+          "{} has volume 0, so it has no weights and no inside. {} is the first face that {} "
+          "projects into.",
+          story.words.face(simplex.all()), story.words.face(face), story.q);
+    }
     if (size == 3) {
       return fmt::format(
           "{} lies beyond the {}, seen from {} (volume fraction {}), and projects "
