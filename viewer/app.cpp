@@ -477,9 +477,10 @@ void App::make_commands() {
 
   add("View", "Fit", {"F"}, [&] { session_.fit(); });
   const auto is_in_space = [&] { return session_.eye().has_value(); };
-  for (const std::string_view side : kSides) {
+  for (std::size_t i = 0; i < kSides.size(); ++i) {
+    const std::string_view side = kSides[i];
     add(
-        "View", fmt::format("See from the side: {}", side), {},
+        "View", fmt::format("See from the side: {}", side), {fmt::format("Ctrl+{}", i + 1)},
         [this, side] { session_.set_eye(*eye_from(side, session_.run(), session_.frame())); },
         is_in_space);
   }

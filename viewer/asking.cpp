@@ -11,7 +11,7 @@
 #include "outlines/polygon.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
-#include "session/hit.hpp"
+#include "session/pointing.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
@@ -20,7 +20,6 @@ namespace {
 using Kind = Subject::Kind;
 
 constexpr double kPause = 1.2;  // seconds after a digit that may be the first of two
-constexpr double kReach = 9.0;  // frame pixels around a vertex or an edge
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -113,90 +112,30 @@ std::optional<double> Asking::wakes_at() const {
   return typed_at_ + kPause;
 }
 
-std::string Asking::name_of(const Subject& subject) const {
-  const LessonRun& run = app_.session().run();
-  if (subject.kind == Kind::difference_vertex) return run.pair_name({subject.x, subject.y});
-  if (!is_vertex(subject)) return {};
-  const LessonShape& shape = run.lesson.bodies[body_of(subject)];
-  return shape.vertex_names[static_cast<std::size_t>(index_of(subject))];
-}
-
 std::optional<Subject> Asking::subject_of(const std::string& choice) const {
   for (const Mark& mark : app_.session().picture().marks) {
-    if (name_of(mark.subject) == choice) return mark.subject;
+    if (name_of(app_.session().run(), mark.subject) == choice) return mark.subject;
   }
   return std::nullopt;
 }
 
-bool Asking::click(const Subject& subject, std::size_t view, const Eigen::Vector2d& at) {
+bool Asking::click(const Subject& subject, const Point& page) {
   follow();
-  Session& session = app_.session();
-  const FrameQuestion* question = session.question();
-  if (!question) return false;
-  // Places to choose from are of the plane; in space vertices alone are.
-  const bool is_plane = session.lesson().dimension == 2;
-  if (is_plane && question->place && click_on_spot(*question, view, at)) return true;
-  if (const std::string name = name_of(subject); holds(question->choices, name)) {
-    answer(name);
+  const FrameQuestion* question = app_.session().question();
+  const std::optional<PointedChoice> pointed =
+      pointed_choice(app_.session(), app_.picture().hand(), subject, page);
+  if (!pointed) return false;
+  if (!pointed->half) {
+    answer(pointed->choice, pointed->place);
     return true;
   }
-  if (is_plane && question->ask == "region") {
-    const LessonPictures::ShownView shown = session.views()[view];
-    const LessonRun& run = session.run();
-    if (!shows_shapes(shown.kind)) return false;
-    if (shown.kind == ViewKind::world && !run.point_query()) return false;
-    const Frame& frame = session.frame();
-    // In the world the polygon of a point query stands where it is.
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-    if (shown.kind == ViewKind::world) shift = in_plane(run.run(frame).x().world.front());
-    const auto& simplex = run.state(frame).simplex;
-    std::vector<Eigen::Vector2d> points;
-    for (int i = 0; i < simplex.count; ++i) points.push_back(in_plane(simplex.vertices[i].w));
-    const double reach = kReach * shown.camera.height / shown.card.size().y();
-    const gjk::Face face =
-        face_at(points, session.effects().get<VoronoiRegions>(frame), at - shift, reach);
-    const std::string name = face == 0 ? "" : SimplexWords(run, simplex).face(face);
-    if (!holds(question->choices, name)) return false;
-    answer(name);
-    return true;
-  }
-  if (is_plane && click_on_spot(*question, view, at)) return true;
-  if (question->pair.empty() || !is_vertex(subject)) return false;
   // The two halves come in any order.
-  const std::string name = name_of(subject);
-  const std::size_t half = subject.kind == Kind::vertex_of_y ? 0 : 1;
-  if (!holds(question->pair[half].vertices, name)) {
-    app_.say(fmt::format("{} is none of the choices", name));
+  if (!holds(question->pair[*pointed->half].vertices, pointed->choice)) {
+    app_.say(fmt::format("{} is none of the choices", pointed->choice));
     return true;
   }
   app_.picture().hand().selected = subject;
-  choose_half(half, name);
-  return true;
-}
-
-bool Asking::click_on_spot(const FrameQuestion& question, std::size_t view,
-                           const Eigen::Vector2d& at) {
-  const LessonPictures::ShownView shown = app_.session().views()[view];
-  if (!shows_shapes(shown.kind)) return false;
-  constexpr double kNear = 24.0;  // frame pixels: a place is pointed at by eye
-  constexpr double kVertex = 9.0;
-  const double pixel = shown.camera.height / shown.card.size().y();
-  double nearest = (question.place ? kNear : kReach) * pixel;
-  std::string chosen;
-  for (std::size_t i = 0; i < question.spots.size(); ++i) {
-    const std::optional<Spot>& spot = question.spots[i];
-    if (!spot || spot->view != shown.kind) continue;
-    const bool is_point = spot->from == spot->to;
-    double away = segment_distance(at, spot->from, spot->to) - spot->reach;
-    // A vertex goes before its edges.
-    if (is_point && away < kVertex * pixel) away = 0.0;
-    if (!is_point || spot->reach > 0.0) away = std::max(away, 0.0) + pixel;
-    if (away >= nearest) continue;
-    nearest = away;
-    chosen = question.choices[i];
-  }
-  if (chosen.empty()) return false;
-  answer(chosen, at);
+  choose_half(*pointed->half, pointed->choice);
   return true;
 }
 

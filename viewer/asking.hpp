@@ -32,9 +32,9 @@ class Asking {
   /// Up and Down, then Enter.
   void move(int by);
   void enter();
-  /// A click on the stage, at a point of one of its views: a vertex, an edge or a region that is
-  /// one of the choices. False when it is none.
-  bool click(const Subject& subject, std::size_t view, const Eigen::Vector2d& at);
+  /// A click on the stage: a vertex, an edge or a region that is one of the choices. False when it
+  /// is none.
+  bool click(const Subject& subject, const Point& page);
   /// No half of a pair and no digit stands any more.
   void forget();
   /// True when there was something to forget.
@@ -54,15 +54,11 @@ class Asking {
   void draw_verdicts(ImDrawList& list) const;
 
  private:
-  /// The name by which choices call a subject; empty when they do not.
-  [[nodiscard]] std::string name_of(const Subject& subject) const;
   /// From where an answer was pointed at to the place that was asked for.
   void draw_way(ImDrawList& list, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   /// Another frame than when something was chosen last has nothing chosen yet.
   void follow();
   void answer(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
-  /// A click near the vertex, edge or place that stands for a choice.
-  bool click_on_spot(const FrameQuestion& question, std::size_t view, const Eigen::Vector2d& at);
   /// A half of a pair; both make an answer.
   void choose_half(std::size_t half, const std::string& name);
   [[nodiscard]] std::size_t next_half() const { return halves_[0].empty() ? 0 : 1; }

@@ -360,9 +360,7 @@ void PictureView::release() {
 void PictureView::let_go() {
   const Press press = *press_;
   release();
-  const std::optional<std::size_t> view = hand_.view_at(press.last);
-  if (press.moved || !press.aim || !view) return;
-  app_.asking().click(*press.aim, *view, in_plane(hand_.to_view(*view, press.last)));
+  if (!press.moved && press.aim) app_.asking().click(*press.aim, press.last);
 }
 
 void PictureView::double_click(const Point& page) {

@@ -40,7 +40,7 @@ function onDown(event) {
   endMotion();
   stop();
   const touch = event.pointerType !== "mouse";
-  const press = { id: event.pointerId, drags: Boolean(state.eye) || isOverShape(event, touch ? FINGER : 14), from: placeOf(event), touch };
+  const press = { id: event.pointerId, drags: Boolean(state.eye) || isOverShape(event, touch ? FINGER : 14), from: placeOf(event), at: { x: event.clientX, y: event.clientY }, touch };
   held = press;
   if (!press.drags) {
     // A press beside the shapes selects none.
@@ -95,11 +95,13 @@ function onLeave(event) {
 
 function onUp(event) {
   if (!held || event.pointerId !== held.id) return;
-  const { drags, from, touch } = held;
+  const { drags, from, touch, at } = held;
   dropHand();
   if (drags) act({ do: "release" });
   const place = placeOf(event);
   light(place);
+  const isClick = Math.hypot(event.clientX - at.x, event.clientY - at.y) < 5;
+  if (isClick && event.type === "pointerup" && state.question) pointAtChoice({ ...place, ...(touch && { finger: true }) });
   const swiped = place.x - from.x;
   const slanted = Math.abs(place.y - from.y) > 0.6 * Math.abs(swiped);
   if (touch && !drags && event.type === "pointerup" && Math.abs(swiped) > 40 && !slanted)

@@ -215,8 +215,9 @@ function go(to, moves = true) {
   stop();
   act({ do: "go", to }, { moves });
 }
-function choose(choice) {
-  act({ do: "answer", choice }, { moves: true });
+/** `place`: where on the picture it was pointed at. */
+function choose(choice, place) {
+  act({ do: "answer", choice, ...place }, { moves: true });
 }
 async function predict() {
   stop();

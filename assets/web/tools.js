@@ -16,11 +16,12 @@ function showTools(next, last) {
   const graded = next.answers && (!last?.answers || last.answers.asked !== next.answers.asked);
   $("verdict").hidden = !graded;
   if (graded) {
-    const { chosen, answer, right, asked } = next.answers;
+    const { chosen, answer, right, asked, away } = next.answers;
     const isRight = chosen === answer;
     $("verdict").className = isRight ? "right" : "wrong";
     const said = isRight ? `Right: ${answer}.` : `Not ${chosen}: the run says ${answer}.`;
-    setText("verdict", `${said} ${right} of ${asked} so far.`);
+    const off = away ? ` You pointed ${away} away from it.` : "";
+    setText("verdict", `${said}${off} ${right} of ${asked} so far.`);
     tellHost("answer", { step: state.index + 1, chosen, answer, right: isRight, asked, correct: right });
   }
 }
@@ -49,10 +50,11 @@ function showListing() {
 }
 
 /** A question for two vertices has two short lists, which may be answered in either order. */
-function showChoices({ choices, pair }) {
+function showChoices({ choices, pair, drawn }) {
   const button = (textContent, onclick) => element("button", { type: "button", textContent, onclick });
+  const hint = drawn ? [element("span", { className: "drawn", textContent: "or point at it in the figure" })] : [];
   if (!pair) {
-    $("choices").replaceChildren(...choices.map((choice) => button(choice, () => choose(choice))));
+    $("choices").replaceChildren(...choices.map((choice) => button(choice, () => choose(choice))), ...hint);
     return;
   }
   const chosen = pair.map(() => null);
@@ -65,7 +67,17 @@ function showChoices({ choices, pair }) {
     })));
     list.querySelectorAll("button").forEach((each) => each.setAttribute("aria-pressed", "false"));
     return list;
-  }));
+  }), ...hint);
+}
+
+/** A click in the figure answers what can be pointed at there: at once, or for one of two lists. */
+async function pointAtChoice(place) {
+  const asked = state.question;
+  const { choice, half } = (await ask({ do: "choice", ...place })) ?? {};
+  if (!choice || state.question !== asked) return;
+  if (half === undefined) return choose(choice, place);
+  const buttons = $("choices").querySelectorAll("fieldset")[half].querySelectorAll("button");
+  [...buttons].find((button) => button.textContent === choice)?.click();
 }
 
 /** The choice with this number; of two lists of the first that is not answered. */

@@ -7,27 +7,26 @@
 namespace gjkscope {
 namespace {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 constexpr std::string_view kMinus = "−";
 
-std::optional<Vector2d> vertex_of(const LessonRun& run, const Frame& frame, std::size_t body,
+std::optional<Vector3d> vertex_of(const LessonRun& run, const Frame& frame, std::size_t body,
                                   std::string_view name) {
   const std::vector<std::string>& names = run.lesson.bodies[body].vertex_names;
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
-  return in_plane(
-      run.run(frame).bodies[body].world[static_cast<std::size_t>(found - names.begin())]);
+  return run.run(frame).bodies[body].world[static_cast<std::size_t>(found - names.begin())];
 }
 
 /// A difference of two vertices, in the difference.
-std::optional<Vector2d> difference_of(const LessonRun& run, const Frame& frame,
+std::optional<Vector3d> difference_of(const LessonRun& run, const Frame& frame,
                                       std::string_view name) {
   const std::size_t minus = name.find(kMinus);
   if (minus == std::string_view::npos) return std::nullopt;
   const auto y = vertex_of(run, frame, 1, name.substr(0, minus));
   const auto x = vertex_of(run, frame, 0, name.substr(minus + kMinus.size()));
-  return x && y ? std::optional<Vector2d>(*y - *x) : std::nullopt;
+  return x && y ? std::optional<Vector3d>(*y - *x) : std::nullopt;
 }
 
 std::optional<Spot> spot_of(const LessonRun& run, const Frame& frame, std::string_view choice) {

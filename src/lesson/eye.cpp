@@ -37,4 +37,10 @@ Eye eye_across(const Eigen::Vector3d& d) {
   return {std::round(std::remainder(azimuth, 360.0)), raised};
 }
 
+Eye eye_along(const Eigen::Vector3d& d) {
+  const double flat = d.head<2>().norm();
+  const double azimuth = flat > 0.0 ? std::atan2(-d.x(), d.y()) / kDegree : 0.0;
+  return {azimuth, std::atan2(-d.z(), flat) / kDegree};
+}
+
 }  // namespace gjkscope

@@ -20,4 +20,7 @@ struct Eye {
 /// as close to that as can be. Whole degrees around z.
 [[nodiscard]] Eye eye_across(const Eigen::Vector3d& d);
 
+/// The eye that looks along `d`: what is normal to it is seen as it is.
+[[nodiscard]] Eye eye_along(const Eigen::Vector3d& d);
+
 }  // namespace gjkscope

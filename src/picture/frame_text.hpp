@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lesson/lesson.hpp"
+#include "lesson/plane.hpp"
 
 namespace gjkscope {
 
@@ -19,9 +20,13 @@ struct VertexChoice {
 
 /// A place to point at for a choice: a point of a view, or a segment.
 struct Spot {
-  ViewKind view = ViewKind::world;
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  Spot(ViewKind of, const Eigen::Vector3d& begin, const Eigen::Vector3d& end)
+      : view(of), from(begin), to(end) {}
+  Spot(ViewKind of, const Eigen::Vector2d& begin, const Eigen::Vector2d& end, double around = 0.0)
+      : view(of), from(in_space(begin)), to(in_space(end)), reach(around) {}
+  ViewKind view;
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
   double reach = 0.0;  ///< How far around it is meant, too.
 };
 

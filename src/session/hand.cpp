@@ -73,10 +73,11 @@ std::optional<Eye> eye_from(std::string_view side, const LessonRun& run, const F
   if (side == kSides[0]) return Eye{0.0, 0.0};
   if (side == kSides[1]) return Eye{90.0, 0.0};
   if (side == kSides[2]) return Eye{0.0, 90.0};
-  if (side != kSides[3]) return std::nullopt;
-  const Vector3d d = run.state(frame).d;
+  if (side != kSides[3] && side != kSides[4]) return std::nullopt;
   const WideResult& result = run.run(frame).trace.result;
-  return eye_across(d.norm() > 0.0 ? d : Vector3d(result.y - result.x));
+  const Vector3d found = run.state(frame).d;
+  const Vector3d d = found.norm() > 0.0 ? found : Vector3d(result.y - result.x);
+  return side == kSides[3] ? eye_across(d) : eye_along(d);
 }
 
 std::optional<std::size_t> Hand::view_at(const Point& page) const {

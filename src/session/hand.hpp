@@ -18,10 +18,11 @@ namespace gjkscope {
 [[nodiscard]] Eigen::Vector3d along_screen(const Camera& camera,
                                            const Eigen::Vector2d& right_and_up);
 
-/// Sides from which space is seen: along y, along x, along z, and across the frame's d.
-inline constexpr std::array<std::string_view, 4> kSides = {"front", "side", "top", "across d"};
-/// The eye on one of these sides; nothing for any other name. Where there is no d yet, it looks
-/// across the shortest way between the shapes.
+/// Sides from which space is seen: along y, along x, along z, across the frame's d, and along it.
+inline constexpr std::array<std::string_view, 5> kSides = {"front", "side", "top", "across d",
+                                                           "along d"};
+/// The eye on one of these sides; nothing for any other name. Where there is no d yet, that
+/// is the shortest way between the shapes.
 [[nodiscard]] std::optional<Eye> eye_from(std::string_view side, const LessonRun& run,
                                           const Frame& frame);
 

@@ -612,8 +612,8 @@ const FrameQuestion* Session::question() const {
   return question && !given(index_) ? &*question : nullptr;
 }
 
-void Session::answer(const std::string& choice) {
-  if (take(choice)) step(1);
+void Session::answer(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed) {
+  if (take(choice, pointed)) step(1);
 }
 
 void Session::grade(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed) {

@@ -178,10 +178,11 @@ class Session {
   [[nodiscard]] bool is_asking() const { return asking_; }
   /// The question of the frame, while it is open.
   [[nodiscard]] const FrameQuestion* question() const;
-  /// Takes the choice, and goes on to the next frame.
-  void answer(const std::string& choice);
+  /// Takes the choice, and goes on to the next frame. `pointed`: the place in the world that was
+  /// pointed at.
+  void answer(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// Takes the choice. Goes on where the next frame tells; where it asks something else, the
-  /// verdict comes first. `pointed`: the place in the world that was pointed at.
+  /// verdict comes first.
   void grade(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// The answer that was given to the question of a frame; null where none was, or none was asked.
   [[nodiscard]] const Answer* given(int index) const;

@@ -28,6 +28,8 @@ namespace {
 using Eigen::Vector2d;
 using Kind = Subject::Kind;
 
+constexpr double kFingerSlack = 24.0;  // a finger hides what it touches
+
 void check_length(const std::string& text, const std::string& name) {
   constexpr std::size_t kMost = 1 << 21;  // bytes of a case; as of a lesson file
   if (text.size() <= kMost) return;
@@ -127,12 +129,13 @@ std::string Player::answer(std::string_view request) {
       {"reset", [](Player& p, const Asked&) { p.reset(); }},
       {"restore", [](Player& p, const Asked& a) { p.restore(a); }},
       {"predict", [](Player& p, const Asked& a) { p.session_.set_predicting(a.flag("on")); }},
-      {"answer", [](Player& p, const Asked& a) { p.session_.answer(a.text("choice")); }},
+      {"answer", [](Player& p, const Asked& a) { p.take_answer(a); }},
   };
   using Tell = std::string (*)(Player&, const Asked&);
   static const std::map<std::string_view, Tell> tells = {
       {"case", [](Player& p, const Asked& a) { return p.shown(p.open_case(a)); }},
       {"point", [](Player& p, const Asked& a) { return p.linked(a.point()); }},
+      {"choice", [](Player& p, const Asked& a) { return p.choice_at(a); }},
       {"lesson", [](Player& p, const Asked&) { return p.lesson_file(); }},
       {"vertices", [](Player& p, const Asked&) { return p.all_vertices(); }},
       {"code", [](Player& p, const Asked&) { return p.code_page(); }},
@@ -341,7 +344,6 @@ void Player::let_go(bool as_it_was) {
 }
 
 void Player::press(const Point& at, bool by_finger) {
-  constexpr double kFingerSlack = 24.0;  // a finger hides what it touches
   constexpr double kHandleSlack = 15.0;  // so that the handle is as large as other buttons
   Subject subject = gjkscope::held(hand_.subject_at(at, 2.0 * Hand::kSlack));
   // Beside a shape; in it, small shapes on a phone could not be moved as a whole.
@@ -464,6 +466,31 @@ void Player::set_numerics(const Asked& asked) {
 
 /// The subjects that belong to the one at a place, as the SVG names them; and the names that appear
 /// where a hand comes near a vertex, as an SVG to lie on the stage, without which it stays.
+std::optional<PointedChoice> Player::pointed(const Asked& asked) {
+  const double slack = asked.json.contains("finger") ? kFingerSlack : Hand::kSlack;
+  return pointed_choice(session_, hand_, hand_.subject_at(asked.point(), slack), asked.point());
+}
+
+/// The choice that lies at a place of the picture, and of a pair which half.
+std::string Player::choice_at(const Asked& asked) {
+  const std::optional<PointedChoice> found = pointed(asked);
+  Json out = Json::object();
+  if (found) out["choice"] = found->choice;
+  if (found && found->half) out["half"] = *found->half;
+  return dumped(out);
+}
+
+/// A choice; where it was pointed at, the place goes with it.
+void Player::take_answer(const Asked& asked) {
+  const std::string choice = asked.text("choice");
+  std::optional<Eigen::Vector2d> place;
+  if (asked.json.contains("x")) {
+    const std::optional<PointedChoice> found = pointed(asked);
+    if (found && found->choice == choice) place = found->place;
+  }
+  session_.answer(choice, place);
+}
+
 std::string Player::linked(const Point& at) {
   const Picture before = session_.picture();
   const Subject pointed = hand_.is_on_handle(at) ? hand_.selected : hand_.subject_at(at);

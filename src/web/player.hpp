@@ -11,6 +11,7 @@
 #include "picture/picture.hpp"
 #include "picture/theme.hpp"
 #include "session/hand.hpp"
+#include "session/pointing.hpp"
 
 namespace gjkscope {
 
@@ -55,6 +56,9 @@ class Player {
   void set_numerics(const Asked& asked);
   void set_language(const Asked& asked);
   [[nodiscard]] std::string linked(const Point& at);
+  [[nodiscard]] std::optional<PointedChoice> pointed(const Asked& asked);
+  [[nodiscard]] std::string choice_at(const Asked& asked);
+  void take_answer(const Asked& asked);
   [[nodiscard]] std::string lesson_file() const;
   [[nodiscard]] std::string all_vertices() const;
   [[nodiscard]] std::string code_page() const;

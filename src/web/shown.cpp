@@ -8,6 +8,7 @@
 
 #include "base/hexadecimal.hpp"
 #include "frames/panel.hpp"
+#include "frames/spots.hpp"
 #include "frames/timeline.hpp"
 #include "lesson/names.hpp"
 #include "outlines/polygon.hpp"
@@ -333,7 +334,9 @@ std::string Player::shown(const std::string& understood) {
                       {"languages", names_of<Language>()}};
   }
   if (const FrameQuestion* question = session_.question()) {
-    out["question"] = {{"ask", question->ask}, {"choices", question->choices}};
+    out["question"] = {{"ask", question->ask},
+                       {"choices", question->choices},
+                       {"drawn", is_answered_in_drawing(*question)}};
     for (const VertexChoice& half : question->pair)
       out["question"]["pair"].push_back({{"of", half.shape}, {"vertices", half.vertices}});
   }
@@ -349,6 +352,8 @@ std::string Player::shown(const std::string& understood) {
                       {"right", session_.right_answers()},
                       {"chosen", last.chosen},
                       {"answer", last.right}};
+    if (last.pointed && last.place)
+      out["answers"]["away"] = Numbers(lesson)((*last.pointed - *last.place).norm());
   }
   if (session_.is_dragging()) return dumped(out);
   out["history"] = {{"past", entries(session_.past())},

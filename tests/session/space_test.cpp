@@ -119,6 +119,8 @@ TEST_F(SpaceTest, SidesAreThoseTheirNamesSay) {
   session.go_to(session.frame_count() - 1);
   const Vector3d d = session.run().state(session.frame()).d.normalized();
   EXPECT_LT(std::abs(looks_along("across d").dot(d)), 0.01);
+  EXPECT_LT((looks_along("along d") - d).norm(), 1e-14);
+  EXPECT_LT((-Vector3d(axes_of(eye_along({0, 0, -2})).row(2)) + Vector3d::UnitZ()).norm(), 1e-15);
   EXPECT_FALSE(eye_from("behind", session.run(), session.frame()));
 }
 

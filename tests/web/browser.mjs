@@ -1274,6 +1274,54 @@ claim("who asks to be asked in the middle of a run is asked there, and told noth
   }
 });
 
+action("questions are answered in the figure: vertices of two shapes, a region, a place and how far off it was", async (visit, size) => {
+  const page = await visit(url("polygons-gjk"), size);
+  const tap = async (x, y) => {
+    const place = await page.evaluate(([px, py]) => {
+      const svg = document.querySelector("#stage svg");
+      const box = svg.getBoundingClientRect();
+      const scale = box.width / svg.viewBox.baseVal.width;
+      return [box.left + px * scale, box.top + py * scale];
+    }, [x, y]);
+    await page.mouse.click(...place);
+    await rest(page);
+  };
+  const disk = (of) => page.evaluate((name) => {
+    const mark = document.querySelector(`#stage circle[data-of="${name}"]`);
+    return [Number(mark.getAttribute("cx")), Number(mark.getAttribute("cy"))];
+  }, of);
+  await page.locator("body").press("p");
+  await toQuestion(page);
+  const { pair } = await page.evaluate(() => state.question);
+  assert.ok(pair);
+  const [at] = await count(page);
+  await tap(...(await disk("x 1")));  // halves in any order
+  assert.equal((await count(page))[0], at);
+  await tap(...(await disk("y 1")));
+  assert.ok((await count(page))[0] > at);
+  const chosen = `${pair[0].vertices[1]}−${pair[1].vertices[1]}`;
+  const verdict = await text(page, "verdict");
+  assert.ok(verdict.startsWith(`Right: ${chosen}.`) || verdict.startsWith(`Not ${chosen}:`), verdict);
+  await close(page);
+
+  const regions = await visit(url("segment-regions"), size);
+  await regions.locator("body").press("p");
+  for (;;) {
+    await toQuestion(regions);
+    if (await regions.evaluate(() => state.question.ask === "closest")) break;
+    await regions.locator("#choices button").first().click();
+    await rest(regions);
+  }
+  const middle = await regions.evaluate(() => {
+    const ends = ["y 0", "y 1"].map((name) => document.querySelector(`#stage circle[data-of="${name}"]`).getBoundingClientRect());
+    return [(ends[0].x + ends[1].x + ends[0].width) / 2, (ends[0].y + ends[1].y + ends[0].height) / 2];
+  });
+  await regions.mouse.click(...middle);
+  await rest(regions);
+  assert.match(await text(regions, "verdict"), /You pointed [\d.·⁻⁰-⁹]+ away from it\./);
+  await close(regions);
+});
+
 action("a question for two vertices has two short lists, answered by hand or by digits; its text stands there once", async (visit, size) => {
   const page = await visit(url("polygons-gjk"), size);
   await page.locator("body").press("p");

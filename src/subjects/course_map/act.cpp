@@ -89,7 +89,8 @@ void question(const Story& story, FrameText& text) {
     const Vector2d middle = corner(i) + 0.5 * Vector2d(kWidth, kHeight);
     const Vector2d half(0.5 * (kWidth - kHeight), 0.0);
     asked.choices.emplace_back(kCourse[static_cast<std::size_t>(i)].title);
-    asked.spots.push_back(Spot{ViewKind::world, middle - half, middle + half, 0.5 * kHeight});
+    asked.spots.push_back(
+        Spot{ViewKind::world, Vector2d(middle - half), Vector2d(middle + half), 0.5 * kHeight});
   }
   asked.answer = asked.choices.back();
   text.caption = next == kOfGjk

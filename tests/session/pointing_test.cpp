@@ -1,0 +1,128 @@
+// Questions answered in the drawing: vertices, edges, faces, regions and places.
+
+#include "session/pointing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fonts.hpp"
+#include "frames/spots.hpp"
+#include "lessons.hpp"
+#include "picture/scene.hpp"
+
+namespace gjkscope {
+namespace pointing_test {
+
+using Eigen::Vector3d;
+using testing::fonts;
+using testing::shipped_lesson;
+
+class Pointing : public ::testing::Test {
+ protected:
+  /// At the first question about this.
+  void open(const std::string& id, const std::string& ask) {
+    ASSERT_TRUE(session.open(shipped_lesson(id), id + ".toml"));
+    session.set_asking(true);
+    for (int i = 0; i < session.frame_count(); ++i) {
+      session.go_to(i);
+      if (session.question() != nullptr && session.question()->ask == ask) return;
+    }
+    FAIL() << id << " does not ask " << ask;
+  }
+  [[nodiscard]] Point on_page(const Vector3d& place, std::size_t view = 0) const {
+    const LessonPictures::ShownView shown = session.views()[view];
+    return StageMap(shown.card, shown.camera)(place);
+  }
+  [[nodiscard]] std::string chosen_at(const Point& page) {
+    const auto found = pointed_choice(session, hand, hand.subject_at(page), page);
+    return found ? found->choice : "";
+  }
+  /// A point of the simplex in the world: the mean of some of its vertices.
+  [[nodiscard]] Vector3d mean_of(const std::vector<int>& vertices) const {
+    const WideSimplex& simplex = session.run().state(session.frame()).simplex;
+    Vector3d mean = session.run().run(session.frame()).x().world.front();
+    for (const int i : vertices)
+      mean += simplex.vertices[i].w / static_cast<double>(vertices.size());
+    return mean;
+  }
+
+  Session session{fonts()};
+  Hand hand{session, fonts()};
+};
+
+TEST_F(Pointing, ARegionOfATriangleIsWhereOneClicks) {
+  open("triangle-ordered-test", "region");
+  const WideSimplex& simplex = session.run().state(session.frame()).simplex;
+  ASSERT_EQ(simplex.count, 3);
+  const SimplexWords words(session.run(), simplex);
+  EXPECT_EQ(chosen_at(on_page(mean_of({0, 1, 2}))), words.face(simplex.all()));
+  EXPECT_EQ(chosen_at(on_page(mean_of({0}))), words.face(gjk::face_of(0)));
+  EXPECT_EQ(chosen_at(on_page(mean_of({1, 2}))),
+            words.face(static_cast<gjk::Face>(gjk::face_of(1) | gjk::face_of(2))));
+}
+
+TEST_F(Pointing, InSpaceARegionIsPointedAtByItsVertexEdgeOrFace) {
+  open("tetrahedron-regions", "region");
+  const WideSimplex& simplex = session.run().state(session.frame()).simplex;
+  ASSERT_EQ(simplex.count, 4);
+  const SimplexWords words(session.run(), simplex);
+  const auto face_of = [](const std::vector<int>& vertices) {
+    gjk::Face face = 0;
+    for (const int i : vertices) face = static_cast<gjk::Face>(face | gjk::face_of(i));
+    return face;
+  };
+  int fronts = 0;
+  for (const Eye& eye : {Eye{24.0, 18.0}, Eye{150.0, 40.0}, Eye{-80.0, -25.0}}) {
+    session.set_eye(eye);
+    for (int i = 0; i < 4; ++i)
+      EXPECT_EQ(chosen_at(on_page(mean_of({i}))), words.face(face_of({i})));
+    for (int left_out = 0; left_out < 4; ++left_out) {
+      std::vector<int> face;
+      for (int i = 0; i < 4; ++i) {
+        if (i != left_out) face.push_back(i);
+      }
+      // A face in front is taken; one behind is where another one is.
+      const Vector3d a = simplex.vertices[face[0]].w;
+      Vector3d normal = (simplex.vertices[face[1]].w - a).cross(simplex.vertices[face[2]].w - a);
+      if (normal.dot(simplex.vertices[left_out].w - a) > 0.0) normal = -normal;
+      const Point page = on_page(mean_of(face));
+      const bool is_front = axes_of(eye).row(2).dot(normal.normalized()) > 0.2;
+      if (!is_front) continue;
+      EXPECT_EQ(chosen_at(page), words.face(face_of(face)));
+      ++fronts;
+    }
+  }
+  EXPECT_GE(fronts, 4);
+}
+
+TEST_F(Pointing, ASupportPointIsTwoHalves) {
+  open("polyhedra-gjk", "support");
+  const std::vector<Vector3d>& y = session.run().run(session.frame()).y().world;
+  const Point page = on_page(y[0]);
+  const auto found = pointed_choice(session, hand, {Subject::Kind::vertex_of_y, -1, 0}, page);
+  ASSERT_TRUE(found && found->half);
+  EXPECT_EQ(found->choice, session.lesson().y().vertex_names[0]);
+  EXPECT_EQ(*found->half, 0u);
+}
+
+TEST_F(Pointing, APlaceIsTakenAlong) {
+  open("segment-regions", "closest");
+  const auto place = session.question()->place;
+  ASSERT_TRUE(place);
+  const Point page = on_page(in_space(*place));
+  const auto found = pointed_choice(session, hand, hand.subject_at(page), page);
+  ASSERT_TRUE(found && found->place);
+  EXPECT_EQ(found->choice, session.question()->answer);
+  EXPECT_LT((*found->place - *place).norm(), 1e-9);
+}
+
+TEST_F(Pointing, BesideEverythingThereIsNoChoice) {
+  open("tetrahedron-regions", "region");
+  EXPECT_EQ(chosen_at(session.views()[0].card.min + Point(3.0, 60.0)), "");
+  session.set_asking(false);
+  EXPECT_EQ(chosen_at(on_page(mean_of({0}))), "");
+}
+
+}  // namespace pointing_test
+}  // namespace gjkscope
