@@ -252,9 +252,10 @@ void keep_what_space_has(Lesson& lesson) {
     const Term* term = find_term(terms, name);
     return term == nullptr || !is_shown_of(term->shown_of, 3);
   };
-  // A table that an act cannot do without may be about the shapes of the plane.
+  // A table that an act cannot do without may be about the shapes of the plane; the path is gone,
+  // and the start is another one.
   const ActNeeds& needs = known.act(lesson.act)->needs;
-  if (!needs.in_space || (needs.table != nullptr && !needs.table_is_optional)) {
+  if (!needs.in_space || !needs.required_tables().empty() || needs.start > 0) {
     lesson.act = Lesson().act;
     lesson.table = {};
     lesson.phases.clear();

@@ -124,6 +124,20 @@ TEST_F(SpaceTest, SidesAreThoseTheirNamesSay) {
   EXPECT_FALSE(eye_from("behind", session.run(), session.frame()));
 }
 
+TEST_F(SpaceTest, ACaseTakesThePlaceOfAnyLessonInSpace) {
+  const CaseIn<3> space{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{3, 1, 1}, {4, 1, 1}}};
+  for (const Lesson& lesson : testing::shipped_lessons()) {
+    if (lesson.dimension == 2) continue;
+    ASSERT_TRUE(session.open(lesson, "file.toml"));
+    EXPECT_TRUE(session.edit("case", edit::told_of(session.lesson(), space)))
+        << lesson.id << ": " << session.problem();
+    for (int i = 0; i < session.frame_count(); ++i) {
+      session.go_to(i);
+      EXPECT_FALSE(session.picture().marks.empty());
+    }
+  }
+}
+
 TEST_F(SpaceTest, CasesOfEitherDimensionTakeItsPlace) {
   const CaseIn<3> space{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{3, 1, 1}}};
   ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), space))) << session.problem();
