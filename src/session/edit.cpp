@@ -245,20 +245,21 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
 
 namespace {
 
-/// Takes away what cannot be shown of shapes in space.
-void keep_what_space_has(Lesson& lesson) {
-  const Vocabulary& known = vocabulary();
-  const auto is_of_plane = [](const std::vector<Term>& terms, const std::string& name) {
-    const Term* term = find_term(terms, name);
-    return term == nullptr || !is_shown_of(term->shown_of, 3);
-  };
-  if (!known.act(lesson.act)->needs.in_space) {
+bool shows_act(const Lesson& lesson) {
+  return is_shown_of(vocabulary().act(lesson.act)->needs.shown_of, lesson.dimension);
+}
+
+/// Takes away what cannot be shown of shapes of the lesson's dimension.
+void keep_what_is_shown(Lesson& lesson) {
+  if (!shows_act(lesson)) {
     lesson.act = Lesson().act;
     lesson.table = {};
     lesson.phases.clear();
     lesson.until.reset();
   }
-  if (is_of_plane(known.listings, lesson.listing)) lesson.listing = listings::kGjk.name;
+  const Term* listing = find_term(vocabulary().listings, lesson.listing);
+  if (listing == nullptr || !is_shown_of(listing->shown_of, lesson.dimension))
+    lesson.listing = listings::kGjk.name;
   lesson.panel = {std::string(blocks::kPseudocode.name), std::string(blocks::kSimplex.name),
                   std::string(blocks::kBounds.name)};
   std::erase_if(lesson.views, [](const LessonView& view) { return !shows_shapes(view.kind); });
@@ -280,7 +281,7 @@ Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
   lesson.expect.stop =
       name_of(gjk::StopReason::repeated_support);  // saving writes what it comes to
   lesson.dimension = plain.dimension;
-  if (D == 3) keep_what_space_has(lesson);
+  if (D == 3 || !shows_act(lesson)) keep_what_is_shown(lesson);
   for (LessonView& view : lesson.views) {
     std::erase_if(view.effects, [](const std::string& name) {
       return !is_shown_of(find_term(vocabulary().effects, name)->shown_of, D);
