@@ -498,8 +498,11 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
   for (const std::string_view table : needs.required_tables()) {
     if (!file[table]) return refuse("without its table", fmt::format("a table [{}]", table));
   }
-  if (lesson_.dimension == 3 && !needs.in_space)
-    refuse("in space", "points [x, y]: its frames show the plane alone");
+  if (!is_shown_of(needs.shown_of, lesson_.dimension)) {
+    lesson_.dimension == 3
+        ? refuse("in space", "points [x, y]: its frames show the plane alone")
+        : refuse("in the plane", "points [x, y, z]: its frames show space alone");
+  }
   if (needs.path == PathUse::refused && file["path"]) refuse("with a path", "no table [path]");
   if (shapes_read_ < 2) return;
   const int largest =

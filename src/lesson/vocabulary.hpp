@@ -39,7 +39,7 @@ struct ActNeeds {
   int most_vertices = 0;      ///< In each shape; 0: as many as a lesson may have.
   bool takes_phases = false;  ///< `steps.phases` may choose among its frames.
   bool takes_radius = false;  ///< Shapes may have a radius: its frames tell how the run ends.
-  bool in_space = false;      ///< Shapes may be in space, too.
+  ShownOf shown_of = ShownOf::plane;
   std::string_view why_no_until = {};  ///< Why `steps.until` may not end them; empty: it may.
 
   /// The tables that must be there, "path" among them.

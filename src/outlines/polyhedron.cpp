@@ -162,9 +162,11 @@ Vector3d normal_of(Points points, const Triangle& face) {
       .normalized();
 }
 
-/// Makes one face of triangles in one plane.
-std::vector<Polyhedron::Face> merged(Points points, const std::vector<Triangle>& triangles) {
-  constexpr double kSamePlane = 1e-7;
+/// Makes one face of triangles in one plane: of those beside each other for which `is_same` holds,
+/// which is given normals (that of the face, and of the triangle beside it), and two triangles.
+template <class Same>
+std::vector<Polyhedron::Face> merged(Points points, const std::vector<Triangle>& triangles,
+                                     const Same& is_same) {
   std::map<std::pair<int, int>, std::size_t> owner;
   std::vector<Vector3d> normals;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -186,8 +188,7 @@ std::vector<Polyhedron::Face> merged(Points points, const std::vector<Triangle>&
         const int a = corners[i];
         const int b = corners[(i + 1) % 3];
         const std::size_t beyond = owner.at({b, a});
-        const bool is_same = (normals[beyond] - normal).norm() < kSamePlane;
-        if (is_same && group[beyond] < 0) {
+        if (group[beyond] < 0 && is_same(normal, normals[beyond], corners, triangles[beyond])) {
           group[beyond] = id;
           members.push_back(beyond);
         }
@@ -263,10 +264,117 @@ Polyhedron hull_in_space(std::span<const Vector3d> points) {
   if (std::abs(normal.dot(at(points, d) - from)) <= kFlat * normal.norm() * edge.norm()) {
     hull = flat(points, normal.normalized());
   } else {
-    hull.faces = merged(points, Quickhull(points).run({a, b, c, d}));
+    constexpr double kSamePlane = 1e-7;
+    hull.faces = merged(points, Quickhull(points).run({a, b, c, d}),
+                        [](const Vector3d& first, const Vector3d& beside, const auto&...) {
+                          return (beside - first).norm() < kSamePlane;
+                        });
   }
   complete(hull);
   return hull;
+}
+
+namespace {
+
+/// Four points that lie in no plane. Where there are none, points that span the rest of space join
+/// `points`: the hull of all has the edges of the hull of those before.
+std::array<int, 4> spanning(std::vector<Vector3d>& points) {
+  const int count = static_cast<int>(points.size());
+  const int a = farthest(points, [&](const Vector3d& p) { return (p - points[0]).norm(); });
+  const Vector3d from = at(points, a);
+  const int b = farthest(points, [&](const Vector3d& p) { return (p - from).norm(); });
+  const Vector3d edge = at(points, b) - from;
+  const double reach = std::max({1.0, from.cwiseAbs().maxCoeff(), edge.norm()});
+  std::array<Vector3d, 3> beside;
+  for (int axis = 0; axis < 3; ++axis) beside[axis] = from + reach * Vector3d::Unit(axis);
+  const auto is_on_line = [&](const Vector3d& p) {
+    return std::all_of(beside.begin(), beside.end(), [&](const Vector3d& other) {
+      return orientation(from, at(points, b), p, other) == 0;
+    });
+  };
+  const auto first = [&](int likely, const auto& fits) {
+    for (int i = -1; i < count; ++i) {
+      const int index = i < 0 ? likely : i;
+      if (fits(at(points, index))) return index;
+    }
+    return -1;
+  };
+  const auto join = [&](const Vector3d& p) {
+    points.push_back(p);
+    return static_cast<int>(points.size()) - 1;
+  };
+  if (edge.isZero(0.0)) return {a, join(beside[0]), join(beside[1]), join(beside[2])};
+  int c = first(farthest(points, [&](const Vector3d& p) { return edge.cross(p - from).norm(); }),
+                [&](const Vector3d& p) { return !is_on_line(p); });
+  if (c < 0) {
+    c = join(*std::find_if(beside.begin(), beside.end(),
+                           [&](const Vector3d& p) { return !is_on_line(p); }));
+  }
+  const auto is_beside = [&](const Vector3d& p) {
+    return orientation(from, at(points, b), at(points, c), p) != 0;
+  };
+  const Vector3d normal = edge.cross(at(points, c) - from);
+  int d = first(farthest(points, [&](const Vector3d& p) { return std::abs(normal.dot(p - from)); }),
+                is_beside);
+  if (d < 0) d = join(*std::find_if(beside.begin(), beside.end(), is_beside));
+  return {a, b, c, d};
+}
+
+}  // namespace
+
+Polyhedron exact_hull(std::span<const Vector3d> points) {
+  std::vector<Vector3d> all(points.begin(), points.end());
+  const std::array<int, 4> start = spanning(all);
+  Polyhedron hull;
+  hull.faces = merged(all, Quickhull(all).run(start),
+                      [&](const auto&, const auto&, const Triangle& in, const Triangle& beside) {
+                        return std::all_of(beside.begin(), beside.end(), [&](int corner) {
+                          return orientation(at(all, in[0]), at(all, in[1]), at(all, in[2]),
+                                             at(all, corner)) == 0;
+                        });
+                      });
+  complete(hull);
+  std::vector<int> degree(all.size(), 0);
+  for (const Polyhedron::Edge& edge : hull.edges) {
+    for (const int end : {edge.from, edge.to}) ++degree[static_cast<std::size_t>(end)];
+  }
+  const int count = static_cast<int>(points.size());
+  std::erase_if(hull.vertices, [&](int vertex) { return vertex >= count; });
+  // A corner of two faces alone lies on an edge; without it triangles have true vertices only.
+  std::vector<int> kept;
+  for (const int vertex : hull.vertices) {
+    if (degree[static_cast<std::size_t>(vertex)] > 2) kept.push_back(vertex);
+  }
+  if (kept.size() < hull.vertices.size()) {
+    std::vector<Vector3d> true_vertices;
+    for (const int vertex : kept) true_vertices.push_back(at(points, vertex));
+    hull = exact_hull(true_vertices);
+    const auto named = [&](int& vertex) { vertex = kept[static_cast<std::size_t>(vertex)]; };
+    for (Polyhedron::Face& face : hull.faces)
+      std::for_each(face.vertices.begin(), face.vertices.end(), named);
+    for (Polyhedron::Edge& edge : hull.edges) {
+      named(edge.from);
+      named(edge.to);
+    }
+    std::for_each(hull.vertices.begin(), hull.vertices.end(), named);
+    return hull;
+  }
+  if (all.size() == points.size()) return hull;
+  hull.faces.clear();
+  std::erase_if(hull.edges,
+                [&](const auto& edge) { return edge.from >= count || edge.to >= count; });
+  for (Polyhedron::Edge& edge : hull.edges) edge.left = edge.right = -1;
+  return hull;
+}
+
+std::vector<std::vector<int>> neighbours_of(const Polyhedron& hull, std::size_t points) {
+  std::vector<std::vector<int>> out(points);
+  for (const Polyhedron::Edge& edge : hull.edges) {
+    out[static_cast<std::size_t>(edge.from)].push_back(edge.to);
+    out[static_cast<std::size_t>(edge.to)].push_back(edge.from);
+  }
+  for (std::vector<int>& ends : out) std::sort(ends.begin(), ends.end());
+  return out;
 }
 
 }  // namespace gjkscope

@@ -30,6 +30,15 @@ struct Polyhedron {
 /// Dobkin, Huhdanpaa 1996, Quickhull).
 [[nodiscard]] Polyhedron hull_in_space(std::span<const Eigen::Vector3d> points);
 
+/// The same, decided exactly throughout: all vertices are true ones, none inside of a face, on an
+/// edge or twice, and only triangles that lie in one plane make one face. A hull that is flat has
+/// edges, and no face.
+[[nodiscard]] Polyhedron exact_hull(std::span<const Eigen::Vector3d> points);
+
+/// For each point that a hull was made of the other ends of its edges, in ascending order.
+[[nodiscard]] std::vector<std::vector<int>> neighbours_of(const Polyhedron& hull,
+                                                          std::size_t points);
+
 /// Sign of the volume of abcd: positive where d lies on the side from which abc turns clockwise.
 /// Exact.
 [[nodiscard]] int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b,

@@ -245,23 +245,25 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
 
 namespace {
 
-/// Takes away what cannot be shown of shapes in space.
-void keep_what_space_has(Lesson& lesson) {
-  const Vocabulary& known = vocabulary();
-  const auto is_of_plane = [](const std::vector<Term>& terms, const std::string& name) {
-    const Term* term = find_term(terms, name);
-    return term == nullptr || !is_shown_of(term->shown_of, 3);
-  };
-  // A table that an act cannot do without may be about the shapes of the plane; the path is gone,
-  // and the start is another one.
-  const ActNeeds& needs = known.act(lesson.act)->needs;
-  if (!needs.in_space || !needs.required_tables().empty() || needs.start > 0) {
+/// In space a table or a path that an act cannot do without, and the start that it needs, would be
+/// gone.
+bool shows_act(const Lesson& lesson) {
+  const ActNeeds& needs = vocabulary().act(lesson.act)->needs;
+  const bool has_needs = !needs.required_tables().empty() || needs.start > 0;
+  return is_shown_of(needs.shown_of, lesson.dimension) && (lesson.dimension == 2 || !has_needs);
+}
+
+/// Takes away what cannot be shown of shapes of the lesson's dimension.
+void keep_what_is_shown(Lesson& lesson) {
+  if (!shows_act(lesson)) {
     lesson.act = Lesson().act;
     lesson.table = {};
     lesson.phases.clear();
     lesson.until.reset();
   }
-  if (is_of_plane(known.listings, lesson.listing)) lesson.listing = listings::kGjk.name;
+  const Term* listing = find_term(vocabulary().listings, lesson.listing);
+  if (listing == nullptr || !is_shown_of(listing->shown_of, lesson.dimension))
+    lesson.listing = listings::kGjk.name;
   lesson.panel = {std::string(blocks::kPseudocode.name), std::string(blocks::kSimplex.name),
                   std::string(blocks::kBounds.name)};
   std::erase_if(lesson.views, [](const LessonView& view) { return !shows_shapes(view.kind); });
@@ -283,7 +285,7 @@ Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
   lesson.expect.stop =
       name_of(gjk::StopReason::repeated_support);  // saving writes what it comes to
   lesson.dimension = plain.dimension;
-  if (D == 3) keep_what_space_has(lesson);
+  if (D == 3 || !shows_act(lesson)) keep_what_is_shown(lesson);
   for (LessonView& view : lesson.views) {
     std::erase_if(view.effects, [](const std::string& name) {
       return !is_shown_of(find_term(vocabulary().effects, name)->shown_of, D);

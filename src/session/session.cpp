@@ -17,6 +17,7 @@
 #include "session/hit.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/growth/growth.hpp"
+#include "subjects/hill_climbing/growth.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -78,6 +79,7 @@ struct Session::Shown {
  private:
   static LessonPictures drawn(Shown& shown, const Fonts& fonts, const EffectGraph* before) {
     if (before) shown.effects.take_over<Growth>(*before);
+    if (before) shown.effects.take_over<ClimbGrowth>(*before);
     return {shown.run, shown.effects, fonts};
   }
 };

@@ -331,10 +331,11 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
       std::string text = shapes;
       text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
       const LoadedLesson loaded = parse_lesson(text, "large.toml", vocabulary());
-      if (granularity == "time" || granularity == "maps" || granularity == "orders" ||
-          granularity == "growth" || granularity == "issues" || granularity == "study" ||
-          granularity == "downhill" || granularity == "course-map" || granularity == "two-runs") {
-        EXPECT_FALSE(loaded.lesson) << "needs a point query, or no path";
+      if (!is_shown_of(vocabulary().act(granularity)->needs.shown_of, 2) || granularity == "time" ||
+          granularity == "maps" || granularity == "orders" || granularity == "growth" ||
+          granularity == "issues" || granularity == "study" || granularity == "downhill" ||
+          granularity == "course-map" || granularity == "two-runs") {
+        EXPECT_FALSE(loaded.lesson) << "needs a point query, no path, or space";
         continue;
       }
       const Algorithm* algorithm = vocabulary().act(granularity)->algorithm;

@@ -65,7 +65,7 @@ TEST(Readme, NamesAllThatCanShowSpace) {
     named.insert((*each)[1]);
   std::set<std::string> able = {"axis", "eye"};
   for (const Act* act : vocabulary().acts) {
-    if (act->needs.in_space) able.emplace(act->name);
+    if (is_shown_of(act->needs.shown_of, 3)) able.emplace(act->name);
   }
   for (const auto* terms : {&vocabulary().blocks, &vocabulary().listings, &vocabulary().effects}) {
     for (const Term& term : *terms) {

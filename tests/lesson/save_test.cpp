@@ -449,7 +449,7 @@ Lesson any_lesson(Random& random) {
 }
 
 TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
-  constexpr int kLessons = 10000;
+  constexpr int kLessons = 12000;
   constexpr unsigned kSeed = 20100311;
   int taken = 0;
   int long_prose = 0;

@@ -62,7 +62,7 @@ const Act kWitness{
         "part of each answer: P, its weights on the vertices of Y, on those of X, "
         "the distance",
     .needs = {.takes_radius = true,
-              .in_space = true,
+              .shown_of = ShownOf::both,
               .why_no_until = "frames show how the run ends"},
     .add_frames = witness_frames,
     .asks = asks::kOfAnswers,

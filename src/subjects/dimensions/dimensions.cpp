@@ -231,7 +231,7 @@ const Act kAct{
     .meaning =
         "closest point and support point of runs on a line, in a plane and in space, one "
         "view each",
-    .needs = {.path = PathUse::refused, .in_space = true},
+    .needs = {.path = PathUse::refused, .shown_of = ShownOf::both},
     .add_frames = frames,
     .follows_run = true,
     .asks = kAsks,

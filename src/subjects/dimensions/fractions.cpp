@@ -214,7 +214,7 @@ const Act kAct{
         "and four vertices, one view each",
     .needs = {.path = PathUse::needed,
               .start = kVertices,
-              .in_space = true,
+              .shown_of = ShownOf::space,
               .why_no_until = "frames show the first step alone"},
     .add_frames = frames,
     .sweeps = true,

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <random>
 #include <set>
 #include <utility>
 
 #include "exact/instances.hpp"
 #include "outlines/minkowski.hpp"
+#include "subjects/growth/random.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/growth/table.hpp"
 
@@ -20,39 +19,6 @@ using Eigen::Vector2d;
 /// Vertices that are made for one size at least: small polygons are made anew for each run, of the
 /// largest one pair stands in many poses.
 constexpr int kMadeVertices = 200'000;
-
-/// The distributions of the standard library differ from one to the next; the generator does not.
-class Random {
- public:
-  explicit Random(int seed) : bits_(static_cast<std::uint64_t>(seed)) {}
-  double uniform(double low, double high) {
-    constexpr int kUnused = 11;  // bits beyond those of a double
-    return low + (high - low) * std::ldexp(static_cast<double>(bits_() >> kUnused), -53);
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
-
-/// A point of the unit circle, `turn` from 0 to 4: its whole part is the quadrant, the rest t is
-/// tan of half the angle in it, and the point ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)). Libraries
-/// round sin and cos differently.
-Vector2d on_circle(double turn) {
-  const double quadrant = std::floor(turn);
-  const double t = turn - quadrant;
-  Vector2d point((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
-  Vector2d ahead(-point.y(), point.x());
-  switch (static_cast<int>(quadrant) % 4) {
-    case 0:
-      return point;
-    case 1:
-      return ahead;
-    case 2:
-      return -point;
-    default:
-      return -ahead;
-  }
-}
 
 /// Corners at random places of an ellipse, one in each of `count` parts of it, so that rounding
 /// leaves every corner convex.

@@ -21,7 +21,7 @@ const Act kIteration{
     .needs = {.table = &LessonSecond::kKind,
               .table_is_optional = true,
               .takes_radius = true,
-              .in_space = true},
+              .shown_of = ShownOf::both},
     .add_frames = iteration_frames,
     .follows_run = true,
     .asks = asks::kOfSteps,

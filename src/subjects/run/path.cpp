@@ -54,7 +54,7 @@ const Act kPath{
     .needs = {.table = &LessonSecond::kKind,
               .table_is_optional = true,
               .path = PathUse::needed,
-              .in_space = true},
+              .shown_of = ShownOf::both},
     .add_frames = path_frames,
     .sweeps = true,
     .asks = kPathAsks,

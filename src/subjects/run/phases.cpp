@@ -31,7 +31,7 @@ const Act kPhase{
               .table_is_optional = true,
               .takes_phases = true,
               .takes_radius = true,
-              .in_space = true},
+              .shown_of = ShownOf::both},
     .add_frames = phase_frames,
     .follows_run = true,
     .asks = asks::kOfSteps,

@@ -64,7 +64,8 @@ Tick test_tick(const LessonRun& run, const Frame& frame) {
 const Act kTest{
     .name = "test",
     .meaning = "test of a Voronoi region, in the first closest-point phase",
-    .needs = {.in_space = true, .why_no_until = "frames go through the first region tests"},
+    .needs = {.shown_of = ShownOf::both,
+              .why_no_until = "frames go through the first region tests"},
     .add_frames = test_frames,
     .asks = kTestAsks,
     .answering_step = test_answer,

@@ -385,7 +385,7 @@ const Act kAct{
     .needs = {.table = &LessonSecond::kKind,
               .path = PathUse::refused,
               .most_vertices = 1000,
-              .in_space = true,
+              .shown_of = ShownOf::both,
               .why_no_until = "frames show how both runs end"},
     .add_frames = add_algorithm_frames,
     .asks = kAsks,
