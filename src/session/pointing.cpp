@@ -25,9 +25,9 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 /// The choice of the spot that is nearest to a place of the page; empty where none is near.
 std::string nearest_spot(const FrameQuestion& question, const LessonPictures::ShownView& shown,
                          const Point& page) {
-  constexpr double kNear = 24.0;  // a place is pointed at by eye
+  constexpr double kByEye = 24.0;  // a place is pointed at by eye
   const StageMap map(shown.card, shown.camera);
-  double nearest = question.place ? kNear : kReach;
+  double nearest = question.place ? kByEye : kReach;
   std::string chosen;
   for (std::size_t i = 0; i < question.spots.size(); ++i) {
     const std::optional<Spot>& spot = question.spots[i];

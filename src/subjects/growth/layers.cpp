@@ -42,7 +42,7 @@ void growth_example(SceneBuilder& scene) {
   scene.area("hull", hull);
   scene.outline(hull);
   for (const Point& point : mapped(example.cloud)) scene.disk("cloud.point", point, kCloudRadius);
-  const Point o = map(Vector2d(0.0, 0.0));
+  const Point o = map(Eigen::Vector2d(0.0, 0.0));
   const Point p = map(example.closest);
   scene.line("closest.line", o, p);
   for (const Point& point : mapped(example.touched))
