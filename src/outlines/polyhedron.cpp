@@ -276,7 +276,7 @@ Polyhedron hull_in_space(std::span<const Vector3d> points) {
 
 namespace {
 
-/// Four points that lie in no plane. Where there are none, points that span the rest of space join
+/// Four points that lie in no plane. If there are none, points that span the rest of space join
 /// `points`: the hull of all has the edges of the hull of those before.
 std::array<int, 4> spanning(std::vector<Vector3d>& points) {
   const int count = static_cast<int>(points.size());

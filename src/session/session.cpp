@@ -16,6 +16,7 @@
 #include "run/questions.hpp"
 #include "session/hit.hpp"
 #include "subjects/difference/minkowski.hpp"
+#include "subjects/faces_of_difference/growth.hpp"
 #include "subjects/growth/growth.hpp"
 #include "subjects/hill_climbing/growth.hpp"
 #include "subjects/subjects.hpp"
@@ -80,6 +81,7 @@ struct Session::Shown {
   static LessonPictures drawn(Shown& shown, const Fonts& fonts, const EffectGraph* before) {
     if (before) shown.effects.take_over<Growth>(*before);
     if (before) shown.effects.take_over<ClimbGrowth>(*before);
+    if (before) shown.effects.take_over<FaceGrowth>(*before);
     return {shown.run, shown.effects, fonts};
   }
 };

@@ -9,7 +9,7 @@
 namespace gjkscope::climbs {
 namespace {
 
-/// Of more steps only the ends of walks have a frame.
+/// If there are more steps, only the ends of walks have a frame.
 constexpr int kMostSteps = 60;
 
 void frames(LessonRun& run, int index) {

@@ -36,7 +36,7 @@ struct Walk {
 /// Exactly: 1 where b lies farther along d than a, 0 where both lie equally far.
 [[nodiscard]] int farther(const Vector3d& d, const Vector3d& a, const Vector3d& b);
 
-/// `from`: a vertex of the hull of the points. Of neighbours equally far the first counts.
+/// `from`: a vertex of the hull of the points. The first counts of neighbours that lie equally far.
 [[nodiscard]] Walk walk(std::span<const Vector3d> points, const Neighbours& neighbours,
                         const Vector3d& d, int from);
 

@@ -12,11 +12,11 @@ namespace gjkscope {
 struct ClimbGrowth {
   static constexpr std::string_view kName = "climb-growth";
   static constexpr std::string_view kNeeds = "";
-  static constexpr int kRuns = 20;  ///< Of each size.
+  static constexpr int kRuns = 20;  ///< Runs of each size.
   struct Sample {
     int vertices = 0;          ///< Also the dot products of a scan.
     double first = 0.0;        ///< Dot products of the first walk of a run, from any vertex.
-    double later = 0.0;        ///< Of a walk that starts at the last support point.
+    double later = 0.0;        ///< Those of a walk that starts at the last support point.
     double first_moves = 0.0;  ///< Moves of the first walk.
   };
   using Value = std::vector<Sample>;

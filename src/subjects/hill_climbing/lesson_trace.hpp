@@ -43,7 +43,7 @@ class ClimbTrace final : public AlgorithmTrace {
 
   std::vector<Climb> climbs;
   std::vector<Step> all;                           ///< Walk by walk, and vertex by vertex.
-  std::array<climbing::Neighbours, 2> neighbours;  ///< Of X and Y.
+  std::array<climbing::Neighbours, 2> neighbours;  ///< Those of X and Y.
   int scanned = 0;                                 ///< Dot products of the scans.
 };
 

@@ -31,7 +31,7 @@ struct Shown {
   bool is_answer;  ///< All walks are over.
   int step;        ///< -1: the start, or there are no walks.
 
-  // Of a frame with a step
+  // For a frame with a step
   [[nodiscard]] const Climb& climb() const { return told.climb(step); }
   [[nodiscard]] const climbing::Look& look() const { return told.look(step); }
   [[nodiscard]] bool is_first() const { return told.all[static_cast<std::size_t>(step)].look == 0; }

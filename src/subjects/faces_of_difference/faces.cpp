@@ -1,0 +1,141 @@
+#include "subjects/faces_of_difference/faces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "outlines/polygon.hpp"
+
+namespace sums_in_space {
+namespace {
+
+/// From one point to another.
+struct Way {
+  const Vector3d& from;
+  const Vector3d& to;
+  [[nodiscard]] Vector3d rounded() const { return to - from; }
+};
+
+/// Sign of (u × w) · v. Exact.
+int side(const Way& u, const Way& w, const Way& v) {
+  const Vector3d a = u.rounded();
+  const Vector3d b = w.rounded();
+  const Vector3d c = v.rounded();
+  const auto larger = [](const Vector3d& p, const Vector3d& q) {
+    return Vector3d(std::abs(p.y() * q.z()) + std::abs(p.z() * q.y()),
+                    std::abs(p.z() * q.x()) + std::abs(p.x() * q.z()),
+                    std::abs(p.x() * q.y()) + std::abs(p.y() * q.x()));
+  };
+  const double volume = a.cross(b).dot(c);
+  // Three rounded differences in each product, two products, three sums.
+  constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+  if (std::abs(volume) >
+      kRounding * larger(a, b).dot(c.cwiseAbs()) + std::numeric_limits<double>::min())
+    return volume > 0.0 ? 1 : -1;
+  const auto exact = [](const Way& way, int i) {
+    return gjk::Expansion(way.to[i]) - gjk::Expansion(way.from[i]);
+  };
+  const auto minor = [&](int i, int j) {
+    return exact(u, i) * exact(w, j) - exact(u, j) * exact(w, i);
+  };
+  return (minor(1, 2) * exact(v, 0) + minor(2, 0) * exact(v, 1) + minor(0, 1) * exact(v, 2)).sign();
+}
+
+/// A body: its points, and their hull.
+struct Solid {
+  Points points;
+  const Polyhedron& hull;
+
+  [[nodiscard]] const Vector3d& at(int i) const { return points[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] Way way(int from, int to) const { return {at(from), at(to)}; }
+  /// The vertices that lie farthest along u × w, or against it.
+  [[nodiscard]] std::vector<int> farthest(const Way& u, const Way& w, int sign) const {
+    std::vector<int> best;
+    for (const int vertex : hull.vertices) {
+      const int more = best.empty() ? 1 : sign * side(u, w, way(best.front(), vertex));
+      if (more > 0) best.clear();
+      if (more >= 0) best.push_back(vertex);
+    }
+    if (best.size() < 3) return best;
+    const auto is_it = [&](const Polyhedron::Face& face) {
+      return face.vertices.size() == best.size() &&
+             std::is_permutation(face.vertices.begin(), face.vertices.end(), best.begin());
+    };
+    const auto face = std::find_if(hull.faces.begin(), hull.faces.end(), is_it);
+    return face == hull.faces.end() ? best : face->vertices;
+  }
+  /// A vertex of a face that is no end of the edge.
+  [[nodiscard]] int beside(const Polyhedron::Edge& edge, int face) const {
+    const std::vector<int>& ring = hull.faces[static_cast<std::size_t>(face)].vertices;
+    return *std::find_if(ring.begin(), ring.end(),
+                         [&](int vertex) { return vertex != edge.from && vertex != edge.to; });
+  }
+};
+
+/// Along the normal of each face of one body the other one lies farthest in a vertex, or more.
+void from_faces(std::vector<Face>& out, const Solid& of, const Solid& other, bool is_y) {
+  for (const Polyhedron::Face& face : of.hull.faces) {
+    const std::vector<int>& ring = face.vertices;
+    // X and Y lie farthest against each other.
+    std::vector<int> rest = other.farthest(of.way(ring[0], ring[1]), of.way(ring[0], ring[2]), -1);
+    if (is_y) out.push_back({ring, std::move(rest), face.normal});
+    // Parallel faces came from Y.
+    else if (rest.size() < 3)
+      out.push_back({std::move(rest), ring, -face.normal});
+  }
+}
+
+/// An edge of each, if there is a direction n along which Y lies farthest in its edge and no more,
+/// and X so along −n. It is ± the product of the edges.
+void from_edges(std::vector<Face>& out, const Solid& x, const Solid& y) {
+  for (const Polyhedron::Edge& e : y.hull.edges) {
+    const std::array<int, 2> of_y = {y.beside(e, e.left), y.beside(e, e.right)};
+    for (const Polyhedron::Edge& f : x.hull.edges) {
+      const Way u = y.way(e.from, e.to);
+      const Way w = x.way(f.from, f.to);
+      const int sign = side(u, w, y.way(e.from, of_y[0]));
+      if (sign == 0 || side(u, w, y.way(e.from, of_y[1])) != sign) continue;
+      if (side(u, w, x.way(f.from, x.beside(f, f.left))) != -sign ||
+          side(u, w, x.way(f.from, x.beside(f, f.right))) != -sign)
+        continue;
+      const Vector3d normal = -sign * u.rounded().cross(w.rounded()).normalized();
+      out.push_back({{e.from, e.to}, {f.from, f.to}, normal});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Face> faces_of_difference(Points x, const Polyhedron& hull_x, Points y,
+                                      const Polyhedron& hull_y) {
+  std::vector<Face> out;
+  if (hull_x.faces.empty() || hull_y.faces.empty()) return out;
+  const Solid of_x{x, hull_x};
+  const Solid of_y{y, hull_y};
+  from_faces(out, of_y, of_x, true);
+  from_faces(out, of_x, of_y, false);
+  from_edges(out, of_x, of_y);
+  return out;
+}
+
+std::vector<gjk::VertexPair> corners_of(const Face& face, Points x, Points y) {
+  std::vector<gjk::VertexPair> all;
+  for (const int of_y : face.y) {
+    for (const int of_x : face.x) all.push_back({of_x, of_y});
+  }
+  // Seen along an axis, so that nothing is rounded.
+  int axis = 0;
+  face.normal.cwiseAbs().maxCoeff(&axis);
+  std::vector<Eigen::Vector2d> seen;
+  for (const auto& [of_x, of_y] : all) {
+    const Vector3d z = y[static_cast<std::size_t>(of_y)] - x[static_cast<std::size_t>(of_x)];
+    seen.emplace_back(z[(axis + 1) % 3], z[(axis + 2) % 3]);
+  }
+  std::vector<gjk::VertexPair> out;
+  for (const int corner : gjkscope::convex_hull(seen))
+    out.push_back(all[static_cast<std::size_t>(corner)]);
+  return out;
+}
+
+}  // namespace sums_in_space

@@ -1,0 +1,67 @@
+#pragma once
+// Faces of the difference in pictures: what a frame shows of them, and what their act draws and
+// says.
+
+#include "picture/act.hpp"
+#include "picture/block.hpp"
+#include "subjects/faces_of_difference/lesson_trace.hpp"
+
+namespace gjkscope::zfaces {
+
+inline constexpr AskInfo kAskSource{"face-source", "what the marked face of Z comes from",
+                                    "of kind"};
+inline constexpr AskInfo kAskMover{"face-vertex", "which vertex the marked face of Z comes from",
+                                   "of kind"};
+
+/// Frames after the answer: counts as bodies grow.
+[[nodiscard]] bool is_growth(const LessonRun& run, const Frame& frame);
+
+/// The part of Z that a frame shows. A frame that asks shows the face that it asks about.
+struct Shown {
+  Shown(const LessonRun& run, const Frame& frame)
+      : lesson(run.lesson),
+        told(faces_told(run.algorithm_trace(frame))),
+        bodies(run.run(frame).bodies),
+        asks(frame.question >= 0),
+        asks_source(asks && lesson.questions[static_cast<std::size_t>(frame.question)].ask ==
+                                kAskSource.name),
+        is_answer(frame.step >= told.steps()),
+        step(asks ? frame.answering_step : std::min(frame.step, told.steps() - 1)) {}
+
+  const Lesson& lesson;
+  const FacesTrace& told;
+  const std::vector<Body>& bodies;
+  bool asks;
+  bool asks_source;
+  bool is_answer;
+  int step;  ///< -1: the start, or there are no faces.
+
+  // For a frame with a step
+  [[nodiscard]] const FacesTrace::Step& at() const {
+    return told.all[static_cast<std::size_t>(step)];
+  }
+  /// The face that it is about; null where it is about many.
+  [[nodiscard]] const sums_in_space::Face* face() const {
+    return at().face < 0 ? nullptr : &told.faces[static_cast<std::size_t>(at().face)];
+  }
+  [[nodiscard]] std::string of_y(const sums_in_space::Face& face) const {
+    return part_name(lesson.y(), face.y);
+  }
+  [[nodiscard]] std::string of_x(const sums_in_space::Face& face) const {
+    return part_name(lesson.x(), face.x);
+  }
+};
+
+// blocks.cpp
+extern const Block kFaceKinds;
+
+// layers.cpp
+bool fill(SceneBuilder& scene, const Fonts& fonts);
+void stage(SceneBuilder& scene);
+
+// words.cpp
+void words(const Story& story, FrameText& text);
+void question(const Story& story, FrameText& text);
+void values(const Story& story, FrameText& text);
+
+}  // namespace gjkscope::zfaces

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "subjects/faces_of_difference/growth.hpp"
+#include "subjects/faces_of_difference/shown.hpp"
+
+namespace gjkscope::zfaces {
+namespace {
+
+using sums_in_space::Face;
+using sums_in_space::Kind;
+using Phase = FacesTrace::Phase;
+
+void start(const Shown& shown, FrameText& text) {
+  const std::string& x = shown.lesson.x().name;
+  const std::string& y = shown.lesson.y().name;
+  if (shown.told.steps() == 0) {
+    const bool is_x = shown.told.hulls[0].faces.empty();
+    text.caption = fmt::format("{} is flat: its points lie in one plane.", is_x ? x : y);
+    text.detail = "The three kinds of faces are those of two bodies that both have a volume.";
+    return;
+  }
+  text.caption =
+      fmt::format("Z = {1} − {0} is a polyhedron, too: how do its faces come about?", x, y);
+  text.detail = fmt::format(
+      "A face is where Z reaches farthest along its normal n. There {1} reaches farthest along n, "
+      "and {0} along −n.",
+      x, y);
+}
+
+void one(const Shown& shown, FrameText& text) {
+  const Face& face = *shown.face();
+  const std::string y = shown.of_y(face);
+  const std::string x = shown.of_x(face);
+  const std::string& name_x = shown.lesson.x().name;
+  const std::string& name_y = shown.lesson.y().name;
+  switch (face.kind()) {
+    case Kind::of_y:
+      text.caption = fmt::format("The marked face is {}, moved: {} is subtracted from it.", y, x);
+      text.detail = fmt::format(
+          "Along its normal n, {} reaches farthest in the whole face; along −n, {} reaches "
+          "farthest "
+          "in one vertex.",
+          name_y, name_x);
+      return;
+    case Kind::of_x:
+      text.caption =
+          fmt::format("The marked face is {}, mirrored and moved: it is subtracted from {}.", x, y);
+      text.detail = fmt::format(
+          "Its normal n is opposite to that of the face of {}. Along n, {} reaches farthest in one "
+          "vertex.",
+          name_x, name_y);
+      return;
+    case Kind::of_edges:
+      text.caption = fmt::format("The marked face is a parallelogram: {}, less {}.", y, x);
+      text.detail = fmt::format(
+          "Its normal n is normal to both edges. No face of {} or {} has it, so a hull of moved "
+          "faces would miss this one.",
+          name_y, name_x);
+      return;
+    case Kind::of_several:
+      text.caption =
+          fmt::format("The marked face has more than one source: {} and {} are parallel.", y, x);
+      text.detail = "Each alone would make a face in this plane: together they make one.";
+      return;
+  }
+}
+
+void kind(const Shown& shown, FrameText& text) {
+  const Kind of = shown.at().kind;
+  const int count = shown.told.count(of);
+  const std::string& x = shown.lesson.x().name;
+  const std::string& y = shown.lesson.y().name;
+  switch (of) {
+    case Kind::of_y:
+    case Kind::of_x: {
+      const bool of_y = of == Kind::of_y;
+      const auto faces = shown.told.hulls[of_y ? 1 : 0].faces.size();
+      text.caption =
+          fmt::format("{} faces of Z are faces of {}{}{}", count, of_y ? "" : "−", of_y ? y : x,
+                      static_cast<std::size_t>(count) == faces
+                          ? ": each is there once."
+                          : fmt::format(" alone, of {} that it has.", faces));
+      text.detail = fmt::format("Different vertices of {} move them.", of_y ? x : y);
+      return;
+    }
+    case Kind::of_edges:
+      text.caption =
+          fmt::format("{} faces of Z are parallelograms, of {} pairs of edges.", count,
+                      shown.told.hulls[1].edges.size() * shown.told.hulls[0].edges.size());
+      text.detail = fmt::format(
+          "A pair makes one if planes along both edges touch {} and {} in these edges alone, from "
+          "opposite sides.",
+          y, x);
+      return;
+    case Kind::of_several:
+      text.caption = fmt::format("{} faces of Z have more than one source.", count);
+      text.detail = "Parallel faces and edges are rare in general position, and common in boxes.";
+      return;
+  }
+}
+
+void all(const Shown& shown, FrameText& text) {
+  const FacesTrace& told = shown.told;
+  std::string sum;
+  for (int i = 0; i < sums_in_space::kKinds; ++i) {
+    const int count = told.count(static_cast<Kind>(i));
+    if (i == 3 && count == 0) continue;
+    sum += fmt::format("{}{}", sum.empty() ? "" : " + ", count);
+  }
+  text.caption = fmt::format("Z has {} = {} faces.", sum, told.faces.size());
+  text.detail =
+      "There are no others. In the plane each edge comes once: m + n in all. In space pairs of "
+      "edges "
+      "come on top: O(n²), says Larsen.";
+}
+
+void answer(const Shown& shown, FrameText& text) {
+  text.caption =
+      fmt::format("GJK does not build these {} faces. It asks for {} support points of Z.",
+                  shown.told.faces.size(), shown.told.support_points);
+  text.detail = fmt::format(
+      "Each is one vertex of {} less one of {}: neither faces nor edges are needed, nor who is "
+      "whose neighbour.",
+      shown.lesson.y().name, shown.lesson.x().name);
+}
+
+void growth(const Story& story, FrameText& text) {
+  const FaceGrowth::Sample& last = story.effects.get<FaceGrowth>(story.frame).back();
+  text.caption = fmt::format(
+      "With {} vertices each, Z has {} faces for points on spheres, and {} for flat lenses that "
+      "cross.",
+      last.vertices, grouped(last.of_spheres), grouped(last.of_lenses));
+  text.detail = fmt::format(
+      "The first grow about like n, the second like n²/2. GJK asks for {} and {} support points. "
+      "One pair each, counted.",
+      last.asked_of_spheres, last.asked_of_lenses);
+}
+
+}  // namespace
+
+void words(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  if (is_growth(story.run, story.frame)) return growth(story, text);
+  if (shown.step < 0) return start(shown, text);
+  if (shown.is_answer) return answer(shown, text);
+  switch (shown.at().phase) {
+    case Phase::one:
+      return one(shown, text);
+    case Phase::kind:
+      return kind(shown, text);
+    case Phase::all:
+      return all(shown, text);
+  }
+}
+
+void question(const Story& story, FrameText& text) {
+  const Shown shown(story.run, story.frame);
+  const Face& face = *shown.face();
+  const std::string& x = shown.lesson.x().name;
+  const std::string& y = shown.lesson.y().name;
+  if (shown.asks_source) {
+    text.question = FrameQuestion{
+        std::string(kAskSource.name),
+        {fmt::format("a face of {}", y), fmt::format("a face of −{}", x), "an edge of each"},
+        {}};
+    text.question->answer = text.question->choices[static_cast<std::size_t>(face.kind())];
+    text.caption = "Question: what does the marked face of Z come from?";
+    return;
+  }
+  const bool of_y = face.kind() == Kind::of_y;
+  const LessonShape& other = of_y ? shown.lesson.x() : shown.lesson.y();
+  const Polyhedron& hull = shown.told.hulls[of_y ? 0 : 1];
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskMover.name), {}, {}});
+  for (const int vertex : hull.vertices)
+    asked.choices.push_back(other.vertex_names[static_cast<std::size_t>(vertex)]);
+  asked.answer = other.vertex_names[static_cast<std::size_t>(of_y ? face.x[0] : face.y[0])];
+  text.caption =
+      of_y ? fmt::format(
+                 "Question: {} makes the marked face. Which vertex of {} is subtracted from it?",
+                 shown.of_y(face), x)
+           : fmt::format(
+                 "Question: {} makes the marked face. From which vertex of {} is it subtracted?",
+                 shown.of_x(face), y);
+}
+
+void values(const Story& story, FrameText& text) {
+  const FacesTrace& told = Shown(story.run, story.frame).told;
+  const auto put = [&](std::string name, std::string value) {
+    text.values.emplace_back(std::move(name), std::move(value));
+  };
+  put("x", story.run.lesson.x().name);
+  put("y", story.run.lesson.y().name);
+  put("faces", std::to_string(told.faces.size()));
+  put("support points", std::to_string(told.support_points));
+}
+
+}  // namespace gjkscope::zfaces
