@@ -151,6 +151,11 @@ TEST(Lecture, EnterOrAShortWhileMakesADigitANumber) {
   }
 }
 
+Point on_page(const Session& session, std::size_t view, const Eigen::Vector2d& at) {
+  const LessonPictures::ShownView shown = session.views()[view];
+  return StageMap(shown.card, shown.camera)(at);
+}
+
 TEST(Lecture, ARegionIsClickedWhereItIs) {
   HeadlessApp window;
   Session& session = window.session();
@@ -165,7 +170,7 @@ TEST(Lecture, ARegionIsClickedWhereItIs) {
   const Eigen::Vector2d b = in_plane(simplex.vertices[1].w);
   const auto click = [&](const Eigen::Vector2d& at) {
     const std::size_t before = session.answers().size();
-    const bool taken = window.app().asking().click({}, 1, at);
+    const bool taken = window.app().asking().click({}, on_page(session, 1, at));
     EXPECT_TRUE(taken);
     EXPECT_EQ(before + 1, session.answers().size());
     const std::string chosen = session.answers().back().chosen;
@@ -188,9 +193,11 @@ TEST(Lecture, APlaceIsPointedAtAndTheAnswerSaysHowFarOffThatWas) {
   go_to_question(window, "closest-y");
   const FrameQuestion question = *session.question();
   ASSERT_TRUE(question.place.has_value());
-  EXPECT_FALSE(window.app().asking().click({}, 0, *question.place + Eigen::Vector2d(1.0, 0.0)))
+  EXPECT_FALSE(window.app().asking().click(
+      {}, on_page(session, 0, *question.place + Eigen::Vector2d(1.0, 0.0))))
       << "inside of the shape, far from its outline";
-  ASSERT_TRUE(window.app().asking().click({}, 0, *question.place + Eigen::Vector2d(0.0, 0.25)));
+  ASSERT_TRUE(window.app().asking().click(
+      {}, on_page(session, 0, *question.place + Eigen::Vector2d(0.0, 0.25))));
   ASSERT_EQ(1u, session.answers().size());
   EXPECT_EQ(question.answer, session.answers().back().chosen);
   EXPECT_NE(std::string::npos, session.told().caption.find("You pointed 0.250 away."))
@@ -205,7 +212,7 @@ TEST(Lecture, ARegionAtANewPlaceOfQIsClickedWhereItIs) {
   go_to_question(window, "region");
   const FrameQuestion question = *session.question();
   const Eigen::Vector2d q = in_plane(session.run().run(session.frame()).x().world.front());
-  ASSERT_TRUE(window.app().asking().click({}, 0, q));
+  ASSERT_TRUE(window.app().asking().click({}, on_page(session, 0, q)));
   EXPECT_EQ(question.answer, session.answers().back().chosen) << "Q lies in its own region";
 }
 
