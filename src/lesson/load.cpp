@@ -514,8 +514,9 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
   const bool starts_so =
       lesson_.x().vertices.size() == 1 && lesson_.options.start.count == needs.start;
   if (needs.start > 0 && !starts_so) {
-    constexpr std::array<std::string_view, 3> kSimplices = {"segment", "triangle", "tetrahedron"};
-    refuse(fmt::format("without a {}", kSimplices[static_cast<std::size_t>(needs.start - 2)]),
+    constexpr std::array<std::string_view, 4> kSimplices = {"single vertex", "segment", "triangle",
+                                                            "tetrahedron"};
+    refuse(fmt::format("without a {}", kSimplices[static_cast<std::size_t>(needs.start - 1)]),
            fmt::format("a point query whose 'start' names {} vertices", needs.start));
   }
 }

@@ -262,7 +262,12 @@ void SceneBuilder::support_plane(const Eigen::Vector3d& w, const Eigen::Vector3d
   const Eigen::Vector3d n = d.normalized();
   // Around the place of the plane that is nearest to the middle of the view.
   const Eigen::Vector3d from = map.center() - shift;
-  draw_plane(*this, from + n * n.dot(w - from) + shift, n, plane_half_width(), role);
+  Eigen::Vector3d center = from + n * n.dot(w - from);
+  // The part that is drawn has the support point.
+  const double reach = 0.9 * plane_half_width();
+  if (const double away = (w - center).norm(); away > reach)
+    center += (1.0 - reach / away) * (w - center);
+  draw_plane(*this, center + shift, n, plane_half_width(), role);
 }
 
 void SceneBuilder::support_line(const Point& through, const Eigen::Vector3d& d,
@@ -278,8 +283,8 @@ void SceneBuilder::length_label(const std::string& id, double length, const Poin
   constexpr double kAsLong = 0.95;  // more cannot be told from the whole
   const bool is_short = map.is_of_space() && seen < kAsLong * length * map.scale();
   const std::string text = Numbers(run.lesson)(length) + (is_short ? ", foreshortened" : "");
-  out.moving_labels.push_back(label(id, text, "distance.label",
-                                    type::kSmallVertex, 0.5 * (from + to), 2.0,
+  out.moving_labels.push_back(label(id, text, "distance.label", type::kSmallVertex,
+                                    0.5 * (from + to), 2.0,
                                     Point(from.y() - to.y(), to.x() - from.x())));
 }
 

@@ -406,7 +406,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "block 'pseudocode' without a 'listing'"},
         Refused{"[\"pseudocode\", \"weights\"]\nlisting = \"gjk\"", "[]\nlisting = ¦\"gjk\"",
                 "'listing' without the block 'pseudocode'"},
-        Refused{"[[views]]", "¦[[views]]\nshow = \"world\"\n[[views]]", "3 views"}));
+        Refused{"[[views]]", "¦[[views]]\nshow = \"world\"\n[[views]]\nshow = \"world\"\n[[views]]",
+                "4 views"}));
 
 TEST(Load, TimeHasMomentsForEachPosition) {
   const std::string text = testing::file_text(testing::lessons_folder() / "segment-balance.toml");

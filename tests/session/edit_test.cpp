@@ -12,7 +12,7 @@
 #include "outlines/polygon.hpp"
 #include "session/session.hpp"
 #include "subjects/depth/lesson_trace.hpp"
-#include "subjects/growth/table.hpp"
+#include "subjects/second_run/table.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -178,7 +178,7 @@ TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     if (run.act->algorithm != &kGjkAlgorithm || !run.act->follows_run ||
-        lesson.table.as<LessonGrowth>())
+        run.act->needs.table != &LessonSecond::kKind)
       continue;
     SCOPED_TRACE(lesson.id);
     const ScalarKind other =

@@ -52,7 +52,7 @@ class Pointing : public ::testing::Test {
 };
 
 TEST_F(Pointing, ARegionOfATriangleIsWhereOneClicks) {
-  open("triangle-ordered-test", "region");
+  open("triangle-features", "region");
   const WideSimplex& simplex = session.run().state(session.frame()).simplex;
   ASSERT_EQ(simplex.count, 3);
   const SimplexWords words(session.run(), simplex);

@@ -86,10 +86,7 @@ void witness_point(SceneBuilder& scene, const Vector3d& point, const Vector3d& o
 void way(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
   if (shown(scene) < WitnessPart::distance || shows_gap(scene)) return;
-  const Point across = Point(from.y() - to.y(), to.x() - from.x());
-  scene.out.moving_labels.push_back(
-      scene.label("distance", Numbers(scene.run.lesson)(scene.positioned.trace.result.distance),
-                  "distance.label", type::kSmallVertex, 0.5 * (from + to), 2.0, across));
+  scene.length_label("distance", scene.positioned.trace.result.distance, from, to);
 }
 
 }  // namespace

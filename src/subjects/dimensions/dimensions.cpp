@@ -203,10 +203,10 @@ void dimensions(PanelBuilder& panel) {
   const std::vector<const PositionedRun*> runs =
       all_runs(panel.run, panel.effects.get<FlatRuns>(panel.frame));
   const double width = panel.right - panel.left;
-  const auto column = [&](int i) { return panel.right - width * 0.24 * (2 - i); };
+  const auto column = [&](int i) { return panel.right - width * 0.25 * (2 - i); };
   panel.write("heading", panel.left, "m", type::kHeading);
   for (const auto& [i, title] :
-       {std::pair(0, "S now"), std::pair(1, "most"), std::pair(2, "distance")})
+       {std::pair(0, "S now"), std::pair(1, "most so far"), std::pair(2, "distance")})
     panel.write("heading", column(i), title, type::kHeading, Align::right);
   panel.y += rows::kRow;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -216,8 +216,9 @@ void dimensions(PanelBuilder& panel) {
     const bool ended = has_ended(trace, step);
     panel.write("strong", panel.left, fmt::format("{}  {}", i + 1, place_of(i)), type::kBody);
     panel.write("code", column(0), std::to_string(state.simplex.count), type::kCode, Align::right);
-    panel.write("code", column(1), std::to_string(most_points(trace, step)), type::kCode,
-                Align::right);
+    const bool is_asked = panel.frame.question >= 0;  // it would tell
+    panel.write("code", column(1), is_asked ? "–" : std::to_string(most_points(trace, step)),
+                type::kCode, Align::right);
     panel.write(ended ? "code.current" : "code", column(2),
                 step < 0 ? "–" : panel.numbers(std::sqrt(state.p_sq)), type::kCode, Align::right);
     panel.y += rows::kRow;

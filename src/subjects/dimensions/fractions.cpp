@@ -59,15 +59,18 @@ void draw_fraction(SceneBuilder& scene) {
 /// P is not what these frames are about.
 void knows_nothing(const Frame&, KnownFacts& facts) { facts = {}; }
 
-/// The runs of the first two and three vertices.
-const Act kLesser{
-    .name = "fractions",
-    .meaning = "",
-    .add_frames = [](LessonRun&, int) {},
-    .algorithm = &kGjkAlgorithm,
-    .knows = knows_nothing,
-    .stage = draw_fraction,
-};
+/// That of the runs of the first two and three vertices, which no lesson can name.
+const Act& act_of_first_vertices() {
+  static const Act act{
+      .name = "fractions",
+      .meaning = "",
+      .add_frames = [](LessonRun&, int) {},
+      .algorithm = &kGjkAlgorithm,
+      .knows = knows_nothing,
+      .stage = draw_fraction,
+  };
+  return act;
+}
 
 FrameInView in_view(const LessonRun& run, EffectGraph& effects, const Frame& frame,
                     std::size_t view) {
@@ -88,7 +91,7 @@ std::vector<BarycentricWeights::Value> all_weights(EffectGraph& effects, const F
 void frames(LessonRun& run, int index) {
   const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
   const int step = std::min(0, last);
-  if (index == 0) run.frames.push_back({.run = index, .step = step});
+  if (index == 0) run.frames.push_back({.run = index});
   for (int part = 0; step == 0 && part < kVertices; ++part)
     run.frames.push_back({.run = index, .step = step, .part = part});
 }
@@ -136,19 +139,19 @@ std::string names(const LessonRun& run, const WideSimplex& simplex, int left_out
   return out;
 }
 
+void start(const Story& story, FrameText& text) {
+  const std::vector<BarycentricWeights::Value> all = all_weights(story.effects, story.frame);
+  text.caption =
+      fmt::format("One point {}, seen from a segment, a triangle and a tetrahedron.", story.q);
+  text.detail =
+      fmt::format("G is the point closest to {} on the line {}, and in the plane {}.", story.q,
+                  names(story.run, all[0].simplex), names(story.run, all[1].simplex));
+}
+
 void words(const Story& story, FrameText& text) {
   const LessonRun& run = story.run;
   const std::vector<BarycentricWeights::Value> all = all_weights(story.effects, story.frame);
   const WideSimplex& whole = all.back().simplex;
-  if (story.frame.part < 0) {
-    text.caption = fmt::format(
-        "{0} is a combination of all four vertices. G is the point of {1} closest to {0}, and that "
-        "of {2}.",
-        story.q, fmt::format("line {}", names(run, all[0].simplex)),
-        fmt::format("plane {}", names(run, all[1].simplex)));
-    text.detail = "Its weights are fractions: of a length, of an area, of a volume.";
-    return;
-  }
   const int marked = story.frame.part;
   const std::string name = run.pair_name(whole.vertices[marked].pair);
   std::vector<std::string> each;
@@ -225,6 +228,7 @@ const Act kAct{
     .knows = knows_nothing,
     .position = position_on_path,
     .tick = tick,
+    .start = start,
     .words = words,
     .stage = draw_fraction,
     .question = question,
@@ -265,7 +269,7 @@ FirstVertices::Value FirstVertices::compute(EffectGraph& graph, const LessonRun&
       shape.vertex_names.push_back(run.lesson.y().vertex_names[vertex]);
       less.options.start.pairs[i] = {.x = 0, .y = i};
     }
-    out.emplace_back(std::move(less), fractions::kLesser, graph);
+    out.emplace_back(std::move(less), fractions::act_of_first_vertices(), graph);
   }
   return out;
 }

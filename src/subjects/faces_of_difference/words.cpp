@@ -86,9 +86,9 @@ void kind(const Shown& shown, FrameText& text) {
       return;
     }
     case Kind::of_edges:
-      text.caption =
-          fmt::format("{} faces of Z are parallelograms, of {} pairs of edges.", count,
-                      shown.told.hulls[1].edges.size() * shown.told.hulls[0].edges.size());
+      text.caption = fmt::format(
+          "{} faces of Z are parallelograms, some of them behind. There are {} pairs of edges.",
+          count, shown.told.hulls[1].edges.size() * shown.told.hulls[0].edges.size());
       text.detail = fmt::format(
           "A pair makes one if planes along both edges touch {} and {} in these edges alone, from "
           "opposite sides.",
@@ -134,7 +134,7 @@ void growth(const Story& story, FrameText& text) {
       last.vertices, grouped(last.of_spheres), grouped(last.of_lenses));
   text.detail = fmt::format(
       "The first grow about like n, the second like n²/2. GJK asks for {} and {} support points. "
-      "One pair each, counted.",
+      "Counted for one pair of bodies for each n.",
       last.asked_of_spheres, last.asked_of_lenses);
 }
 

@@ -107,8 +107,8 @@ void answer(const Shown& shown, FrameText& text) {
 void growth(const Story& story, FrameText& text) {
   const ClimbGrowth::Sample& last = story.effects.get<ClimbGrowth>(story.frame).back();
   text.caption = fmt::format(
-      "With {} vertices a scan computes {} dot products, a walk from any vertex {}, a later walk "
-      "{}.",
+      "With {} vertices a scan computes {} dot products, a walk from any vertex {}, one from the "
+      "last support point {}.",
       grouped(last.vertices), grouped(last.vertices), fixed(last.first, 0), fixed(last.later, 0));
   text.detail = fmt::format(
       "Averages of {} runs for each n, on random points on a sphere. Dot products are counted, no "

@@ -254,21 +254,27 @@ void direction_rules(PanelBuilder& panel) {
     panel.write("code.current", panel.right, known ? numbers.point(found->d) : "–", type::kCode,
                 Align::right);
     panel.y += kTightRow;
-    panel.write("code", panel.left + 12.0, fmt::format("dot(d, {})", edge), type::kCode);
+    if (in_space) {
+      panel.write("body.muted", panel.left + 12.0, "from perpendicular", type::kBody);
+    } else {
+      panel.write("code", panel.left + 12.0, fmt::format("dot(d, {})", edge), type::kCode);
+    }
     constexpr double kAlmost = 0.1;  // degrees: less cannot be seen
     const bool passes =
         known && (in_space ? found->degrees_off < kAlmost : found->dot_with_edge == 0.0);
+    const std::string off = !known     ? "–"
+                            : in_space ? fixed(found->degrees_off, 2) + "°"
+                                       : panel.numbers(found->dot_with_edge);
     panel.write(passes  ? "pass"
                 : known ? "fail"
                         : "code",
-                panel.right, known ? panel.numbers(found->dot_with_edge) : "–", type::kCodeBold,
-                Align::right);
-    panel.y += kTightRow;
+                panel.right, off, type::kCodeBold, Align::right);
+    panel.y += in_space ? kRow : kTightRow;
+    if (in_space) continue;
     panel.write("body.muted", panel.left + 12.0,
                 !known                        ? ""
                 : found->dot_with_edge == 0.0 ? "exactly perpendicular"
-                : in_space ? fmt::format("{}° from perpendicular", fixed(found->degrees_off, 2))
-                           : "not perpendicular: P is rounded",
+                                              : "not perpendicular: P is rounded",
                 type::kBody);
     panel.y += kRow + 6.0;
   }

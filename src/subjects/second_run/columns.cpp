@@ -100,7 +100,12 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
   const auto coordinate = [&](const std::string& name, Phase since, auto vector, int axis) {
     row(
         name, known(since), [&](const RunColumn& column) -> double { return vector(column)[axis]; },
-        [](const RunColumn& column, double value) { return column.numbers(value); });
+        [&](const RunColumn& column, double value) {
+          // In space, as many digits as a float has, so that the columns can be compared.
+          const bool in_float = panel.run.lesson.scalar == ScalarKind::single;
+          return in_float && panel.run.lesson.dimension == 3 ? significant(value, 8)
+                                                             : column.numbers(value);
+        });
   };
   // A point query's difference is the polygon seen from Q.
   const auto p = [&](const RunColumn& column) {
@@ -128,6 +133,7 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
   row(
       "stops", known(Phase::stop),
       [](const RunColumn& column) {
+        if (column.state->stop == gjk::StopReason::iteration_cap) return std::string("cut off");
         return std::string(column.state->stop == gjk::StopReason::running ? "no" : "yes");
       },
       as_it_is);

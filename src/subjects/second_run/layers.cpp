@@ -45,12 +45,16 @@ void second_run(SceneBuilder& scene) {
     const Point tip = p + scene.arrow_length(state.p) * along;
     scene.arrow("second.direction", p, tip);
     if (state.simplex.count == 2 && !scene.map.is_of_space()) right_angle(scene, p, state.d);
-    // A support line may pass the tip: the name stands beside the shaft.
-    name("d", 0.5 * (p + tip), 0.0, Point(-along.y(), along.x()));
+    // A support line may pass the tip: the name stands beside the shaft, in space on the side where
+    // the other d is not.
+    Point side(-along.y(), along.x());
+    if (scene.map.is_of_space() && side.dot(scene.map.direction(scene.state.d)) > 0.0) side = -side;
+    name("d", 0.5 * (p + tip), 0.0, side);
   }
   scene.disk("second.closest", p, kPointRadius);
   // One label is enough when both are the same point to the eye.
-  if ((p - scene.at_difference(scene.state.p)).norm() > 3.0 * kPointRadius)
+  const double apart = (scene.map.is_of_space() ? 1.0 : 3.0) * kPointRadius;
+  if ((p - scene.at_difference(scene.state.p)).norm() > apart)
     name("P", p, kPointRadius, p - scene.at_difference(scene.state.p));
 }
 

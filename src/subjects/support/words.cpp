@@ -51,8 +51,9 @@ void slab(const Story& story, FrameText& text) {
           "{}.",
           lesson.x().name, lesson.y().name, low, high);
     } else {
-      text.caption = fmt::format("The {} through {} and {} are {} apart: an earlier slab is wider.",
-                                 lines, k, c, story.numbers(gap));
+      text.caption =
+          fmt::format("The {} through {} and {}{} are {} apart: an earlier slab is wider.", lines,
+                      k, c, lesson.dimension == 3 ? ", not drawn," : "", story.numbers(gap));
       text.detail = fmt::format("The distance lies between {} and {}.", low, high);
     }
     return;

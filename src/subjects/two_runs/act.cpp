@@ -129,6 +129,12 @@ std::string answers(const Shown& shown, const Numbers& numbers) {
     if (others <= mine)
       return fmt::format("{} answers as {} does: the distance is {}.", name, shown.first_name(),
                          numbers(shown.answer(0)));
+    const WideResult& second = shown.both.runs[1].runs[0].trace.result;
+    if (shown.second.is_gjk() && second.stop == gjk::StopReason::iteration_cap) {
+      return fmt::format(
+          "{} finds the distance {}, but goes on, and is cut off after {} iterations; {} makes {}.",
+          name, numbers(shown.answer(1)), others, shown.first_name(), mine);
+    }
     return fmt::format("{} finds the distance {}, but goes on: it makes {} iterations, {} {}.",
                        name, numbers(shown.answer(1)), others, shown.first_name(), mine);
   }
@@ -279,7 +285,7 @@ void question(const Story& story, FrameText& text) {
     asked.answer = kNoDifference;
   text.caption =
       shown.second.is_gjk()
-          ? "Question: this is the first step in which the runs part. Which part of it is it?"
+          ? "Question: here the runs differ for the first time. In what?"
           : fmt::format(
                 "Question: this is the first step in which {} goes wrong. Which part of it is it?",
                 shown.name());
@@ -351,7 +357,7 @@ void two_answers(PanelBuilder& panel) {
   panel.row(shown.second.has_rules() ? "the second run's answer"
                                      : fmt::format("as {} answers", shown.name()),
             panel.numbers(shown.answer(1)));
-  panel.row("error", panel.numbers(shown.both.answer("error")));
+  panel.row(shown.errs() ? "error" : "difference", panel.numbers(shown.both.answer("error")));
 }
 
 /// From the step on that is wrong, or where the lesson asks for it from the answer on: before, it
