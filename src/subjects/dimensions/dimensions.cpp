@@ -204,9 +204,9 @@ void dimensions(PanelBuilder& panel) {
       all_runs(panel.run, panel.effects.get<FlatRuns>(panel.frame));
   const double width = panel.right - panel.left;
   const auto column = [&](int i) { return panel.right - width * 0.25 * (2 - i); };
-  panel.write("heading", panel.left, "m", type::kHeading);
+  panel.write("heading", panel.left, "Points of S", type::kHeading);
   for (const auto& [i, title] :
-       {std::pair(0, "S now"), std::pair(1, "most so far"), std::pair(2, "distance")})
+       {std::pair(0, "now"), std::pair(1, "most so far"), std::pair(2, "distance")})
     panel.write("heading", column(i), title, type::kHeading, Align::right);
   panel.y += rows::kRow;
   for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -269,7 +269,7 @@ void direction_rules(PanelBuilder& panel) {
                 : known ? "fail"
                         : "code",
                 panel.right, off, type::kCodeBold, Align::right);
-    panel.y += in_space ? kRow : kTightRow;
+    panel.y += in_space ? kRow + 6.0 : kTightRow;
     if (in_space) continue;
     panel.write("body.muted", panel.left + 12.0,
                 !known                        ? ""
