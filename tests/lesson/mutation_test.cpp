@@ -334,7 +334,7 @@ TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
       if (!is_shown_of(vocabulary().act(granularity)->needs.shown_of, 2) || granularity == "time" ||
           granularity == "maps" || granularity == "orders" || granularity == "growth" ||
           granularity == "issues" || granularity == "study" || granularity == "downhill" ||
-          granularity == "course-map" || granularity == "two-runs") {
+          granularity == "course-map" || granularity == "two-runs" || granularity == "dimensions") {
         EXPECT_FALSE(loaded.lesson) << "needs a point query, no path, or space";
         continue;
       }

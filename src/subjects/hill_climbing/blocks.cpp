@@ -47,7 +47,7 @@ void products(PanelBuilder& panel, const Shown& shown) {
                   Align::right);
     }
     panel.subject = {};
-    panel.y += rows::kRow;
+    panel.y += rows::kTightRow;
   };
   for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i) {
     const bool is_next = all[i] == shown.look().next && !shown.asks;
