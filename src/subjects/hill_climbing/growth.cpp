@@ -23,7 +23,8 @@ ClimbGrowth::Sample measured(Random& random, int vertices) {
   options.proof = gjk::Proof::none;
   options.start.count = 1;
   for (int i = 0; i < ClimbGrowth::kRuns; ++i) {
-    const std::vector<Vector3d> query = {random.uniform(1.2, 3.0) * on_sphere(random)};
+    const double away = random.uniform(1.2, 3.0);  // first: a compiler may take either
+    const std::vector<Vector3d> query = {away * on_sphere(random)};
     const gjk::Trace<double, 3> trace =
         gjk::trace<double>(gjk::Query<double, 3>{{query}, {points}}, options);
     int at = 0;

@@ -85,9 +85,9 @@ Json ClimbTrace::json(const Lesson& lesson, const PositionedRun& run) const {
       return shape.vertex_names[static_cast<std::size_t>(vertex)];
     };
     const auto product = [&](int vertex) {
-      return Json{
-          {"vertex", name(vertex)},
-          {"value", fields::number(of.walk.d.dot(points[static_cast<std::size_t>(vertex)]))}};
+      return Json{{"vertex", name(vertex)},
+                  {"value", fields::number(gjk::dot<double, 3>(
+                                of.walk.d, points[static_cast<std::size_t>(vertex)]))}};
     };
     Json step = {{"phase", info(i).phase}, {"iteration", of.iteration},
                  {"of", shape.name},       {"d", fields::point(of.walk.d)},

@@ -45,7 +45,10 @@ struct Shown {
   }
   /// "d", or of X "−d".
   [[nodiscard]] std::string d() const { return climb().of_x ? "−d" : "d"; }
-  [[nodiscard]] double product(int vertex) const { return climb().walk.d.dot(at(vertex)); }
+  /// Summed in one order everywhere, as the core does it.
+  [[nodiscard]] double product(int vertex) const {
+    return gjk::dot<double, 3>(climb().walk.d, at(vertex));
+  }
   [[nodiscard]] const std::vector<int>& neighbours() const {
     return told.neighbours[body()][static_cast<std::size_t>(look().at)];
   }
