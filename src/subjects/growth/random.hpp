@@ -46,7 +46,8 @@ inline Eigen::Vector3d on_sphere(Random& random) {
   while (true) {
     Eigen::Vector3d point;
     for (double& coordinate : point) coordinate = random.uniform(-1.0, 1.0);
-    const double square = point.squaredNorm();
+    // In one order everywhere: Eigen's own sums differ with the vectors of a processor.
+    const double square = point.x() * point.x() + point.y() * point.y() + point.z() * point.z();
     if (square > 0.01 && square <= 1.0) return point / std::sqrt(square);
   }
 }
