@@ -30,7 +30,7 @@ struct LesserRun {
 struct FlatRuns {
   static constexpr std::string_view kName = "flat-runs";
   static constexpr std::string_view kNeeds = "";
-  using Value = std::vector<LesserRun>;  ///< Of one dimension, of two, ... less than the lesson's.
+  using Value = std::vector<LesserRun>;  ///< In one dimension, two, ... fewer than the lesson has.
   static EffectKey key(const LessonRun&, const Frame&) { return {-1, -1, -1}; }
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
