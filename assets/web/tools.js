@@ -72,9 +72,9 @@ function showChoices({ choices, pair, drawn }) {
 
 /** A click in the figure answers what can be pointed at there: at once, or for one of two lists. */
 async function pointAtChoice(place) {
-  const asked = state.question;
+  const { index } = state;
   const { choice, half } = (await ask({ do: "choice", ...place })) ?? {};
-  if (!choice || state.question !== asked) return;
+  if (!choice || !state.question || state.index !== index) return;
   if (half === undefined) return choose(choice, place);
   const buttons = $("choices").querySelectorAll("fieldset")[half].querySelectorAll("button");
   [...buttons].find((button) => button.textContent === choice)?.click();

@@ -173,6 +173,7 @@ TEST(Lecture, ARegionIsClickedWhereItIs) {
     const bool taken = window.app().asking().click({}, on_page(session, 1, at));
     EXPECT_TRUE(taken);
     EXPECT_EQ(before + 1, session.answers().size());
+    if (session.answers().size() == before) return std::string();
     const std::string chosen = session.answers().back().chosen;
     session.forget_answers();
     window.key("Home");
@@ -182,8 +183,8 @@ TEST(Lecture, ARegionIsClickedWhereItIs) {
   const Eigen::Vector2d across(b.y() - a.y(), a.x() - b.x());
   EXPECT_EQ(words.face(simplex.all()), click(0.5 * (a + b))) << "the middle of the segment";
   EXPECT_EQ(words.face(simplex.all()), click(0.5 * (a + b) + 0.4 * across)) << "beside it";
-  EXPECT_EQ(words.face(gjk::face_of(0)), click(a + 0.5 * (a - b))) << "beyond its first end";
-  EXPECT_EQ(words.face(gjk::face_of(1)), click(b + 0.5 * (b - a))) << "beyond its last end";
+  EXPECT_EQ(words.face(gjk::face_of(0)), click(a + 0.15 * (a - b))) << "beyond its first end";
+  EXPECT_EQ(words.face(gjk::face_of(1)), click(b + 0.15 * (b - a))) << "beyond its last end";
 }
 
 TEST(Lecture, APlaceIsPointedAtAndTheAnswerSaysHowFarOffThatWas) {
