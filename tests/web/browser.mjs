@@ -1313,6 +1313,7 @@ action("questions are answered in the figure: vertices of two shapes, a region, 
     await rest(regions);
   }
   const middle = await regions.evaluate(() => {
+    document.querySelector("#stage").scrollIntoView({ block: "start" });
     const ends = ["y 0", "y 1"].map((name) => document.querySelector(`#stage circle[data-of="${name}"]`).getBoundingClientRect());
     return [(ends[0].x + ends[1].x + ends[0].width) / 2, (ends[0].y + ends[1].y + ends[0].height) / 2];
   });
