@@ -27,8 +27,8 @@ class Random {
 inline Eigen::Vector2d on_circle(double turn) {
   const double quadrant = std::floor(turn);
   const double t = turn - quadrant;
-  const Eigen::Vector2d point((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
-  const Eigen::Vector2d ahead(-point.y(), point.x());
+  Eigen::Vector2d point((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
+  Eigen::Vector2d ahead(-point.y(), point.x());
   switch (static_cast<int>(quadrant) % 4) {
     case 0:
       return point;
