@@ -253,12 +253,12 @@ class Turntable {
       sights_.push_back(Sight{view.camera, view.card.size().x() / view.card.size().y()});
   }
   /// The lesson's own eye has walked around by so many degrees.
-  [[nodiscard]] Picture picture(int index, double degrees) {
+  void turn_to(double degrees) {
     std::vector<std::optional<Sight>> turned = sights_;
     for (std::optional<Sight>& sight : turned) sight->camera.eye->azimuth += degrees;
     pictures_.lay_out(page_, turned, LabelScope::frame, pictures_.is_stacked());
-    return pictures_.picture(index);
   }
+  [[nodiscard]] Picture picture(int index) { return pictures_.picture(index); }
 
  private:
   Page page_;
@@ -538,6 +538,7 @@ class Exporter {
     film->finish();
     return true;
   }
+
   /// One step of a film in which the eye walks at constant speed from the first image to the last.
   template <class Show>
   bool add_turning(Turntable& turntable, const StepRange& steps, int step, double seconds,
@@ -551,10 +552,10 @@ class Exporter {
                          (step == steps.first ? 0.0 : kTweenSeconds);
     for (long i = 0; i < images; ++i) {
       if (is_stopped()) return false;
-      const double degrees = options_.turn * (begin + static_cast<double>(i) / rate) / whole;
-      Picture picture = turntable.picture(step - 1, degrees);
+      turntable.turn_to(options_.turn * (begin + static_cast<double>(i) / rate) / whole);
+      Picture picture = turntable.picture(step - 1);
       if (i < between) {
-        picture = tween(turntable.picture(step - 2, degrees), picture,
+        picture = tween(turntable.picture(step - 2), picture,
                         static_cast<double>(i + 1) / static_cast<double>(between + 1));
       }
       leave_out_captions(picture);

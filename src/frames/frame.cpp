@@ -244,9 +244,6 @@ struct PageWriter {
   }
 };
 
-}  // namespace
-
-/// One view of the lesson: its scenes, and the labels' memory.
 /// In space, where lines may lead anywhere, a point moved in would turn those that lead to it.
 bool is_magnified(const LessonRun& run, const LessonPictures::ShownView& view) {
   if (run.lesson.dimension == 2) return false;
@@ -260,6 +257,9 @@ bool is_magnified(const LessonRun& run, const LessonPictures::ShownView& view) {
   });
 }
 
+}  // namespace
+
+/// One view of the lesson: its scenes, and the labels' memory.
 struct LessonPictures::View {
   std::size_t index;  ///< Among the lesson's views.
   ShownView shown;
@@ -272,8 +272,8 @@ struct LessonPictures::View {
   std::vector<std::string> title = {};  ///< Line by line.
   Rect title_box = {};
   bool is_close_up = false;
-  bool is_cut =
-      false;      ///< Its marks are cut at the card: what is far is farther than painters can tell.
+  /// Its marks are cut at the card: what is far is farther than painters can tell.
+  bool is_cut = false;
   int clip = -1;  ///< Index in the picture that is drawn.
   std::unique_ptr<View> close_up = nullptr;
 

@@ -18,25 +18,31 @@ namespace gjkscope {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-int orientation(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
-  const Vector3d ad = a - d;
-  const Vector3d bd = b - d;
-  const Vector3d cd = c - d;
-  const double volume = ad.dot(bd.cross(cd));
-  const Vector3d larger(std::abs(bd.y() * cd.z()) + std::abs(bd.z() * cd.y()),
-                        std::abs(bd.z() * cd.x()) + std::abs(bd.x() * cd.z()),
-                        std::abs(bd.x() * cd.y()) + std::abs(bd.y() * cd.x()));
-  // Shewchuk 1997, "Adaptive precision floating-point arithmetic", section 4.3.
-  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-  if (std::abs(volume) > kRounding * ad.cwiseAbs().dot(larger)) return volume > 0.0 ? 1 : -1;
-  const auto minus_d = [&](const Vector3d& v, int i) {
-    return gjk::Expansion(v[i]) - gjk::Expansion(d[i]);
+int volume_sign(const Way& u, const Way& w, const Way& v) {
+  const Vector3d a = u.rounded();
+  const Vector3d b = w.rounded();
+  const Vector3d c = v.rounded();
+  const double volume = a.cross(b).dot(c);
+  const Vector3d larger(std::abs(a.y() * b.z()) + std::abs(a.z() * b.y()),
+                        std::abs(a.z() * b.x()) + std::abs(a.x() * b.z()),
+                        std::abs(a.x() * b.y()) + std::abs(a.y() * b.x()));
+  // Three rounded differences in each product, two products, three sums (as in Shewchuk 1997,
+  // "Adaptive precision floating-point arithmetic", section 4.3); what underflows is left to the
+  // exact sum.
+  constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+  if (std::abs(volume) > kRounding * larger.dot(c.cwiseAbs()) + std::numeric_limits<double>::min())
+    return volume > 0.0 ? 1 : -1;
+  const auto exact = [](const Way& way, int i) {
+    return gjk::Expansion(way.to[i]) - gjk::Expansion(way.from[i]);
   };
   const auto minor = [&](int i, int j) {
-    return minus_d(b, i) * minus_d(c, j) - minus_d(b, j) * minus_d(c, i);
+    return exact(u, i) * exact(w, j) - exact(u, j) * exact(w, i);
   };
-  return (minus_d(a, 0) * minor(1, 2) + minus_d(a, 1) * minor(2, 0) + minus_d(a, 2) * minor(0, 1))
-      .sign();
+  return (minor(1, 2) * exact(v, 0) + minor(2, 0) * exact(v, 1) + minor(0, 1) * exact(v, 2)).sign();
+}
+
+int orientation(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
+  return volume_sign({d, b}, {d, c}, {d, a});
 }
 
 namespace {

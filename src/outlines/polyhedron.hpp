@@ -39,6 +39,15 @@ struct Polyhedron {
 [[nodiscard]] std::vector<std::vector<int>> neighbours_of(const Polyhedron& hull,
                                                           std::size_t points);
 
+/// From one point to another, which outlive it.
+struct Way {
+  const Eigen::Vector3d& from;
+  const Eigen::Vector3d& to;
+  [[nodiscard]] Eigen::Vector3d rounded() const { return to - from; }
+};
+/// Sign of (u × w) · v. Exact.
+[[nodiscard]] int volume_sign(const Way& u, const Way& w, const Way& v);
+
 /// Sign of the volume of abcd: positive where d lies on the side from which abc turns clockwise.
 /// Exact.
 [[nodiscard]] int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b,

@@ -464,8 +464,6 @@ void Player::set_numerics(const Asked& asked) {
   change("numerics", lesson);
 }
 
-/// The subjects that belong to the one at a place, as the SVG names them; and the names that appear
-/// where a hand comes near a vertex, as an SVG to lie on the stage, without which it stays.
 std::optional<PointedChoice> Player::pointed(const Asked& asked) {
   const double slack = asked.json.contains("finger") ? kFingerSlack : Hand::kSlack;
   return pointed_choice(session_, hand_, hand_.subject_at(asked.point(), slack), asked.point());
@@ -491,6 +489,8 @@ void Player::take_answer(const Asked& asked) {
   session_.answer(choice, place);
 }
 
+/// The subjects that belong to the one at a place, as the SVG names them; and the names that appear
+/// where a hand comes near a vertex, as an SVG to lie on the stage, without which it stays.
 std::string Player::linked(const Point& at) {
   const Picture before = session_.picture();
   const Subject pointed = hand_.is_on_handle(at) ? hand_.selected : hand_.subject_at(at);

@@ -11,6 +11,7 @@
 #include "subjects/dimensions/runs.hpp"
 #include "subjects/dimensions/subject.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/second_run/second_run.hpp"
 
 namespace gjkscope {
 
@@ -20,7 +21,7 @@ FlatRuns::Value FlatRuns::compute(EffectGraph& graph, const LessonRun& run, cons
   for (const Body& body : positioned.bodies) {
     for (const Eigen::Vector3d& vertex : body.world) box.extend(vertex);
   }
-  const Eigen::Vector3d middle = box.min() + 0.5 * (box.max() - box.min());
+  const Eigen::Vector3d middle = box.center();
   Value out;
   for (int m = 1; m < run.lesson.dimension; ++m) {
     Lesson flat = run.lesson;
@@ -65,18 +66,11 @@ int step_with(const WideTrace& trace, const LessonRun& run, const Frame& frame) 
   const int last = static_cast<int>(trace.steps.size()) - 1;
   if (frame.step + 1 == static_cast<int>(run.runs.front().trace.steps.size())) return last;
   const WideStep& shown = run.step(frame);
-  int found = -1;
-  for (int i = 0; i <= last; ++i) {
-    const WideStep& step = trace.steps[static_cast<std::size_t>(i)];
-    if (step.iteration < shown.iteration ||
-        (step.iteration == shown.iteration && step.phase <= shown.phase))
-      found = i;
-  }
-  return found;
+  return index_up_to(trace, shown.iteration, shown.phase);
 }
 
 const WideState& state_at(const WideTrace& trace, int step) {
-  return step < 0 ? trace.initial : trace.steps[static_cast<std::size_t>(step)].after;
+  return state_before(trace, step + 1);
 }
 
 /// The most points that S has had up to a step.

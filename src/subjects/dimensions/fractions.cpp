@@ -11,6 +11,7 @@
 #include "run/questions.hpp"
 #include "subjects/dimensions/runs.hpp"
 #include "subjects/dimensions/subject.hpp"
+#include "subjects/guess/subject.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/weights/barycentric.hpp"
 
@@ -56,9 +57,6 @@ void draw_fraction(SceneBuilder& scene) {
                                                 foot - scene.at_difference(Vector3d::Zero())));
 }
 
-/// P is not what these frames are about.
-void knows_nothing(const Frame&, KnownFacts& facts) { facts = {}; }
-
 /// That of the runs of the first two and three vertices, which no lesson can name.
 const Act& act_of_first_vertices() {
   static const Act act{
@@ -66,7 +64,7 @@ const Act& act_of_first_vertices() {
       .meaning = "",
       .add_frames = [](LessonRun&, int) {},
       .algorithm = &kGjkAlgorithm,
-      .knows = knows_nothing,
+      .knows = guesses::knows_nothing,
       .stage = draw_fraction,
   };
   return act;
@@ -130,7 +128,7 @@ void question(const Story& story, FrameText& text) {
 
 // ---- the words ----
 
-/// "KLM", the vertices from `first` on but for `left_out`.
+/// "KLM", all vertices but `left_out`.
 std::string names(const LessonRun& run, const WideSimplex& simplex, int left_out = -1) {
   std::string out;
   for (int i = 0; i < simplex.count; ++i) {
@@ -225,7 +223,7 @@ const Act kAct{
     .answering_step = answering_step,
     .asking = asking,
     .algorithm = &kGjkAlgorithm,
-    .knows = knows_nothing,
+    .knows = guesses::knows_nothing,
     .position = position_on_path,
     .tick = tick,
     .start = start,

@@ -2,45 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "outlines/polygon.hpp"
 
 namespace sums_in_space {
 namespace {
 
-/// From one point to another.
-struct Way {
-  const Vector3d& from;
-  const Vector3d& to;
-  [[nodiscard]] Vector3d rounded() const { return to - from; }
-};
-
-/// Sign of (u × w) · v. Exact.
-int side(const Way& u, const Way& w, const Way& v) {
-  const Vector3d a = u.rounded();
-  const Vector3d b = w.rounded();
-  const Vector3d c = v.rounded();
-  const auto larger = [](const Vector3d& p, const Vector3d& q) {
-    return Vector3d(std::abs(p.y() * q.z()) + std::abs(p.z() * q.y()),
-                    std::abs(p.z() * q.x()) + std::abs(p.x() * q.z()),
-                    std::abs(p.x() * q.y()) + std::abs(p.y() * q.x()));
-  };
-  const double volume = a.cross(b).dot(c);
-  // Three rounded differences in each product, two products, three sums.
-  constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
-  if (std::abs(volume) >
-      kRounding * larger(a, b).dot(c.cwiseAbs()) + std::numeric_limits<double>::min())
-    return volume > 0.0 ? 1 : -1;
-  const auto exact = [](const Way& way, int i) {
-    return gjk::Expansion(way.to[i]) - gjk::Expansion(way.from[i]);
-  };
-  const auto minor = [&](int i, int j) {
-    return exact(u, i) * exact(w, j) - exact(u, j) * exact(w, i);
-  };
-  return (minor(1, 2) * exact(v, 0) + minor(2, 0) * exact(v, 1) + minor(0, 1) * exact(v, 2)).sign();
-}
+using gjkscope::volume_sign;
+using gjkscope::Way;
 
 /// A body: its points, and their hull.
 struct Solid {
@@ -53,7 +22,7 @@ struct Solid {
   [[nodiscard]] std::vector<int> farthest(const Way& u, const Way& w, int sign) const {
     std::vector<int> best;
     for (const int vertex : hull.vertices) {
-      const int more = best.empty() ? 1 : sign * side(u, w, way(best.front(), vertex));
+      const int more = best.empty() ? 1 : sign * volume_sign(u, w, way(best.front(), vertex));
       if (more > 0) best.clear();
       if (more >= 0) best.push_back(vertex);
     }
@@ -94,10 +63,10 @@ void from_edges(std::vector<Face>& out, const Solid& x, const Solid& y) {
     for (const Polyhedron::Edge& f : x.hull.edges) {
       const Way u = y.way(e.from, e.to);
       const Way w = x.way(f.from, f.to);
-      const int sign = side(u, w, y.way(e.from, of_y[0]));
-      if (sign == 0 || side(u, w, y.way(e.from, of_y[1])) != sign) continue;
-      if (side(u, w, x.way(f.from, x.beside(f, f.left))) != -sign ||
-          side(u, w, x.way(f.from, x.beside(f, f.right))) != -sign)
+      const int sign = volume_sign(u, w, y.way(e.from, of_y[0]));
+      if (sign == 0 || volume_sign(u, w, y.way(e.from, of_y[1])) != sign) continue;
+      if (volume_sign(u, w, x.way(f.from, x.beside(f, f.left))) != -sign ||
+          volume_sign(u, w, x.way(f.from, x.beside(f, f.right))) != -sign)
         continue;
       const Vector3d normal = -sign * u.rounded().cross(w.rounded()).normalized();
       out.push_back({{e.from, e.to}, {f.from, f.to}, normal});

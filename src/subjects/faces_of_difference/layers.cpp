@@ -19,10 +19,8 @@ using Phase = FacesTrace::Phase;
 /// A face of Z, in the difference.
 void face_of_z(SceneBuilder& scene, const Shown& shown, const Face& face, const std::string& role) {
   std::vector<Point> corners;
-  for (const auto& [x, y] :
-       sums_in_space::corners_of(face, shown.bodies[0].world, shown.bodies[1].world))
-    corners.push_back(scene.at(Vector3d(shown.bodies[1].world[static_cast<std::size_t>(y)] -
-                                        shown.bodies[0].world[static_cast<std::size_t>(x)])));
+  for (const gjk::VertexPair& pair : shown.corners(face))
+    corners.push_back(scene.at(shown.z(pair)));
   if (face.kind() == Kind::of_edges && role == "zface.edges")
     scene.hatched("zface.edges.hatch", corners);
   scene.area(role, corners);
@@ -47,18 +45,14 @@ void faces_of_z(SceneBuilder& scene, const Shown& shown, const Kind* kind) {
 /// In the difference: the marked face, its normal, and names of its corners.
 void marked(SceneBuilder& scene, const Shown& shown, const Face& face) {
   face_of_z(scene, shown, face, shown.asks_source ? "zface.asked" : role_of(face.kind()));
-  const auto corners =
-      sums_in_space::corners_of(face, shown.bodies[0].world, shown.bodies[1].world);
+  const std::vector<gjk::VertexPair> corners = shown.corners(face);
   Vector3d middle = Vector3d::Zero();
-  for (const auto& [x, y] : corners)
-    middle += (shown.bodies[1].world[static_cast<std::size_t>(y)] -
-               shown.bodies[0].world[static_cast<std::size_t>(x)]) /
-              static_cast<double>(corners.size());
+  for (const gjk::VertexPair& pair : corners)
+    middle += shown.z(pair) / static_cast<double>(corners.size());
   scene.search_arrow(scene.at(middle), face.normal, kArrowLength, "n");
   if (shown.asks) return;
   for (const gjk::VertexPair& pair : corners) {
-    const Point at = scene.at(Vector3d(shown.bodies[1].world[static_cast<std::size_t>(pair.y)] -
-                                       shown.bodies[0].world[static_cast<std::size_t>(pair.x)]));
+    const Point at = scene.at(shown.z(pair));
     scene.disk("cloud.touched", at, kTouchedRadius,
                {Subject::Kind::difference_vertex, pair.x, pair.y});
     scene.out.moving_labels.push_back(

@@ -36,6 +36,16 @@ struct Shown {
   bool is_answer;
   int step;  ///< -1: the start, or there are no faces.
 
+  /// The difference of two vertices.
+  [[nodiscard]] Eigen::Vector3d z(gjk::VertexPair pair) const {
+    return bodies[1].world[static_cast<std::size_t>(pair.y)] -
+           bodies[0].world[static_cast<std::size_t>(pair.x)];
+  }
+  /// Corners of a face of Z.
+  [[nodiscard]] std::vector<gjk::VertexPair> corners(const sums_in_space::Face& face) const {
+    return sums_in_space::corners_of(face, bodies[0].world, bodies[1].world);
+  }
+
   // For a frame with a step
   [[nodiscard]] const FacesTrace::Step& at() const {
     return told.all[static_cast<std::size_t>(step)];

@@ -35,8 +35,7 @@ void products(PanelBuilder& panel, const Shown& shown) {
   double most = 0.0;
   for (const int each : all) most = std::max(most, std::abs(shown.product(each) - of_now));
   const auto row = [&](int vertex, const std::string& role, const TextStyle& style) {
-    panel.subject = shown.climb().of_x ? Subject{Subject::Kind::vertex_of_x, vertex}
-                                       : Subject{Subject::Kind::vertex_of_y, -1, vertex};
+    panel.subject = shown.subject(vertex);
     panel.write(role, panel.left, shown.name(vertex), style);
     if (!shown.asks || vertex == shown.look().at) {
       if (most > 0.0 && vertex != shown.look().at)

@@ -12,11 +12,6 @@ namespace {
 using Eigen::Vector3d;
 using namespace sizes;
 
-Subject subject_at(const Shown& shown, int vertex) {
-  return shown.climb().of_x ? Subject{Subject::Kind::vertex_of_x, vertex}
-                            : Subject{Subject::Kind::vertex_of_y, -1, vertex};
-}
-
 /// Whether an edge lies behind its body.
 bool is_behind(const SceneBuilder& scene, const Shown& shown, int from, int to) {
   const Polyhedron& solid = scene.effects.get<ShapeSolids>(scene.frame)[shown.body()];
@@ -50,7 +45,7 @@ void way(SceneBuilder& scene, const Shown& shown, const climbing::Walk& walk, in
     const int to = walk.looks[static_cast<std::size_t>(i) + 1].at;
     scene.add(is_behind(scene, shown, from, to) ? "climb.path.hidden" : "climb.path",
               Polyline{{scene.at(shown.at(from)), scene.at(shown.at(to))}});
-    scene.disk("path.point", scene.at(shown.at(from)), kVertexRadius, subject_at(shown, from));
+    scene.disk("path.point", scene.at(shown.at(from)), kVertexRadius, shown.subject(from));
   }
 }
 
@@ -68,9 +63,9 @@ void step(SceneBuilder& scene, const Shown& shown) {
       shown.told.all[static_cast<std::size_t>(shown.step)].look + 1);
   if (!shown.asks && look.next >= 0) scene.arrow("climb.move", now, scene.at(shown.at(look.next)));
   if (look.next < 0 && !shown.asks) {
-    scene.diamond("support.vertex", now, kSupportRadius, subject_at(shown, look.at));
+    scene.diamond("support.vertex", now, kSupportRadius, shown.subject(look.at));
   } else {
-    scene.disk("path.now", now, kSimplexRadius, subject_at(shown, look.at));
+    scene.disk("path.now", now, kSimplexRadius, shown.subject(look.at));
   }
 }
 
@@ -86,7 +81,7 @@ void all_walks(SceneBuilder& scene, const Frame& frame) {
       if (!ends) way(scene, shown, walk, static_cast<int>(walk.looks.size()));
       if (ends)
         scene.diamond("support.vertex", scene.at(shown.at(look.at)), kSupportRadius,
-                      subject_at(shown, look.at));
+                      shown.subject(look.at));
     }
   }
 }
@@ -106,7 +101,7 @@ void stage(SceneBuilder& scene) {
   if (shown.step >= 0) return step(scene, shown);
   const Shown first(scene.run, {.run = scene.frame.run, .step = 0});
   scene.disk("path.now", scene.at(first.at(first.look().at)), kSimplexRadius,
-             subject_at(first, first.look().at));
+             first.subject(first.look().at));
 }
 
 }  // namespace gjkscope::climbs

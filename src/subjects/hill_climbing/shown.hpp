@@ -43,6 +43,10 @@ struct Shown {
   [[nodiscard]] const Eigen::Vector3d& at(int vertex) const {
     return bodies[body()].world[static_cast<std::size_t>(vertex)];
   }
+  [[nodiscard]] Subject subject(int vertex) const {
+    return climb().of_x ? Subject{Subject::Kind::vertex_of_x, vertex}
+                        : Subject{Subject::Kind::vertex_of_y, -1, vertex};
+  }
   /// "d", or of X "−d".
   [[nodiscard]] std::string d() const { return climb().of_x ? "−d" : "d"; }
   /// Summed in one order everywhere, as the core does it.

@@ -111,8 +111,8 @@ void growth(const Story& story, FrameText& text) {
       "last support point {}.",
       grouped(last.vertices), grouped(last.vertices), fixed(last.first, 0), fixed(last.later, 0));
   text.detail = fmt::format(
-      "Averages of {} runs for each n, on random points on a sphere. Dot products are counted, no "
-      "time; neighbours are made beforehand.",
+      "Averages of {} runs for each n, on random points on a sphere. Dot products are counted "
+      "and not timed; neighbours are made beforehand.",
       ClimbGrowth::kRuns);
 }
 

@@ -13,6 +13,16 @@ int index_of_step(const WideTrace& trace, int iteration, gjk::Phase phase) {
   return found == trace.steps.end() ? -1 : static_cast<int>(found - trace.steps.begin());
 }
 
+int index_up_to(const WideTrace& trace, int iteration, gjk::Phase phase) {
+  int found = -1;
+  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+    const WideStep& step = trace.steps[i];
+    if (step.iteration < iteration || (step.iteration == iteration && step.phase <= phase))
+      found = static_cast<int>(i);
+  }
+  return found;
+}
+
 PositionedRun second_of_gjk(const LessonSecond& second, const PositionedRun& first,
                             const gjk::Options& options, ScalarKind scalar) {
   return run_again(first, second.options(started_as(first, options)),

@@ -26,6 +26,9 @@ struct SecondRun {
 /// Index of the step of a phase in an iteration; -1 where there is none.
 [[nodiscard]] int index_of_step(const WideTrace& trace, int iteration, gjk::Phase phase);
 
+/// Index of the last step that is no later than that phase of that iteration; -1: the start.
+[[nodiscard]] int index_up_to(const WideTrace& trace, int iteration, gjk::Phase phase);
+
 /// GJK about the shapes of `first`, the run of a lesson with these options and this scalar, from
 /// where that started, by the rules of [second].
 [[nodiscard]] PositionedRun second_of_gjk(const LessonSecond& second, const PositionedRun& first,

@@ -43,17 +43,6 @@ LessonRun alone(const Lesson& lesson, PositionedRun positioned) {
   return out;
 }
 
-/// The index of the last step that is no later.
-int index_up_to(const WideTrace& trace, int iteration, Phase phase) {
-  int found = -1;
-  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
-    const WideStep& step = trace.steps[i];
-    if (step.iteration < iteration || (step.iteration == iteration && step.phase <= phase))
-      found = static_cast<int>(i);
-  }
-  return found;
-}
-
 Phase phase_of(Part part) {
   switch (part) {
     case Part::drop:
