@@ -34,13 +34,28 @@ function isOverShape({ clientX, clientY }, reach) {
     clientY > box.top - reach && clientY < box.bottom + reach);
 }
 
+/** A second finger: the two turn space, whatever lies below them. */
+function onSecond(event) {
+  if (!state.eye || !held.touch || held.second) return;
+  event.preventDefault();
+  $("stage").setPointerCapture(event.pointerId);
+  held.second = { id: event.pointerId, at: placeOf(event) };
+  act({ do: "cancel" });
+  act({ do: "press", ...middleOf(held), ground: true });
+}
+
+function middleOf({ last, second }) {
+  return { x: (last.x + second.at.x) / 2, y: (last.y + second.at.y) / 2 };
+}
+
 function onDown(event) {
-  if (event.button !== 0 || held) return;
+  if (event.button !== 0) return;
+  if (held) return onSecond(event);
   pointed = lit = null;
   endMotion();
   stop();
   const touch = event.pointerType !== "mouse";
-  const press = { id: event.pointerId, drags: Boolean(state.eye) || isOverShape(event, touch ? FINGER : 14), from: placeOf(event), at: { x: event.clientX, y: event.clientY }, touch };
+  const press = { id: event.pointerId, drags: Boolean(state.eye) || isOverShape(event, touch ? FINGER : 14), from: placeOf(event), last: placeOf(event), at: { x: event.clientX, y: event.clientY }, touch };
   held = press;
   if (!press.drags) {
     // A press beside the shapes selects none.
@@ -58,7 +73,11 @@ function onDown(event) {
 }
 
 function onMove(event) {
-  if (held?.drags && event.pointerId === held.id) {
+  if (held && event.pointerId === held.id) held.last = placeOf(event);
+  if (held?.second) {
+    if (event.pointerId === held.second.id) held.second.at = placeOf(event);
+    act({ do: "move", ...middleOf(held) });
+  } else if (held?.drags && event.pointerId === held.id) {
     act({ do: "move", ...placeOf(event), ...(snaps !== event.shiftKey && { snaps: true }) });
   } else if (!held && event.pointerType === "mouse") {
     pointed = placeOf(event);
@@ -94,6 +113,11 @@ function onLeave(event) {
 }
 
 function onUp(event) {
+  if (held?.second && [held.id, held.second.id].includes(event.pointerId)) {
+    dropHand();
+    act({ do: "release" });
+    return;
+  }
   if (!held || event.pointerId !== held.id) return;
   const { drags, from, touch, at } = held;
   dropHand();

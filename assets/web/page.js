@@ -260,7 +260,9 @@ function onKey(event) {
   }
   if (state.question && /^[1-9]$/.test(event.key)) return pressChoice(Number(event.key));
   const turn = state.eye && TURNS[event.key.toLowerCase()];
-  const does = turn ? () => act({ do: "eye", azimuth: turn[0], elevation: turn[1] }) : KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
+  const to = event.shiftKey && /^Digit[1-5]$/.test(event.code) && state.sides?.[event.code.at(-1) - 1];
+  const looks = turn ? { azimuth: turn[0], elevation: turn[1] } : to && { to };
+  const does = looks ? () => act({ do: "eye", ...looks }) : KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
   const isIdle = (event.key === "ArrowRight" && state.index + 1 === state.count && !state.question) || (event.key === "ArrowLeft" && state.index === 0);
   if (!does || isIdle) return passOn(event);
   event.preventDefault();

@@ -31,8 +31,8 @@ function showSides() {
   const sides = $("sides");
   sides.hidden = !state.sides;
   if (sides.hidden || sides.children.length) return;
-  sides.replaceChildren(...state.sides.map((to) =>
-    element("button", { type: "button", textContent: to, title: `See it from this side: ${to} (A, D, W and S turn it)`, onclick: () => act({ do: "eye", to }) })));
+  sides.replaceChildren(...state.sides.map((to, index) =>
+    element("button", { type: "button", textContent: to, title: `See it from this side: ${to} (Shift+${index + 1}; A, D, W and S turn it)`, onclick: () => act({ do: "eye", to }) })));
 }
 
 const LANGUAGES = { pseudocode: "pseudocode", cpp: "C++", python: "Python" };

@@ -113,7 +113,7 @@ std::string Player::answer(std::string_view request) {
       {"step", [](Player& p, const Asked& a) { p.step(a.whole("by")); }},
       {"iteration", [](Player& p, const Asked& a) { p.session_.step_iteration(a.whole("by")); }},
       {"phase", [](Player& p, const Asked& a) { p.go_to_phase(a.whole("phase")); }},
-      {"press", [](Player& p, const Asked& a) { p.press(a.point(), a.json.contains("finger")); }},
+      {"press", [](Player& p, const Asked& a) { p.press(a); }},
       {"move",
        [](Player& p, const Asked& a) { p.hand_.move(a.point(), a.json.contains("snaps")); }},
       {"release", [](Player& p, const Asked&) { p.let_go(false); }},
@@ -343,8 +343,14 @@ void Player::let_go(bool as_it_was) {
   if (!(as_it_was ? hand_.cancel() : hand_.release())) throw std::runtime_error(session_.problem());
 }
 
-void Player::press(const Point& at, bool by_finger) {
+void Player::press(const Asked& asked) {
   constexpr double kHandleSlack = 15.0;  // so that the handle is as large as other buttons
+  const Point at = asked.point();
+  const bool by_finger = asked.json.contains("finger");
+  if (asked.json.contains("ground")) {
+    hand_.press({}, at);
+    return;
+  }
   Subject subject = gjkscope::held(hand_.subject_at(at, 2.0 * Hand::kSlack));
   // Beside a shape; in it, small shapes on a phone could not be moved as a whole.
   if (by_finger && !is_shape(subject) && subject.kind != Kind::difference)

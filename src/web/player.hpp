@@ -47,7 +47,7 @@ class Player {
   void step(int by);
   void reset();
   void restore(const Asked& asked);
-  void press(const Point& at, bool by_finger);
+  void press(const Asked& asked);
   void let_go(bool as_it_was);
   void put_vertex(const Asked& asked);
   void add_vertex(const Asked& asked);

@@ -1,6 +1,6 @@
 // The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
-// that does not hold ends it. An action is tried in four pairs of a size and a theme, so that each
-// size and each theme is among them; with --all, in all twelve pairs.
+// that does not hold ends it. An action is tried at each size, in a theme that differs from size to
+// size and from action to action; with --all, in all twelve pairs.
 // Usage: node browser.mjs SITE [--shots DIR] [--only WORD] [--all]
 // Pages that need no other file are made by the program that $GJKSCOPE names, or that is built here.
 import assert from "node:assert/strict";
@@ -79,12 +79,12 @@ const claim = (name, body, alone = false) => tests.push({ name, body, alone });
 let actions = 0;
 /**
  * What a hand does: `body` gets how to open a page at a size and in a theme. Each action starts with
- * the next size, so that over all actions all pairs are tried.
+ * the next theme, so that over all actions all pairs are tried.
  */
 function action(name, body, sizes = Object.keys(SIZES)) {
   const pairs = process.argv.includes("--all")
     ? sizes.flatMap((size) => THEMES.map((theme) => [size, theme]))
-    : THEMES.map((theme, i) => [sizes[(i + actions) % sizes.length], theme]);
+    : sizes.map((size, i) => [size, THEMES[(i + actions) % THEMES.length]]);
   ++actions;
   for (const [size, theme] of pairs)
     claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
@@ -136,6 +136,17 @@ async function touchPath(page, from, by) {
   const send = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   await send("touchStart", [{ x: from[0], y: from[1] }]);
   for (let i = 1; i <= 6; ++i) await send("touchMove", [{ x: from[0] + by[0] * i / 6, y: from[1] + by[1] * i / 6 }]);
+  await send("touchEnd", []);
+}
+
+/** One finger at a place, the other 80 pixels to its right, both moved. */
+async function twoFingers(page, [x, y], [dx, dy]) {
+  const client = await page.context().newCDPSession(page);
+  const send = (type, touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
+  const both = (share) => [0, 80].map((beside, id) => ({ id, x: x + beside + share * dx, y: y + share * dy }));
+  await send("touchStart", both(0).slice(0, 1));
+  await send("touchStart", both(0));
+  for (let i = 1; i <= 6; ++i) await send("touchMove", both(i / 6));
   await send("touchEnd", []);
 }
 
@@ -489,6 +500,15 @@ action("space turns under the hand, by keys and by buttons; its run stays, and a
   await close(again);
   await page.locator("#sides button", { hasText: "top" }).click();
   assert.deepEqual(await eye(), [0, 90]);
+  await page.locator("body").press("Shift+Digit2");
+  assert.deepEqual(await eye(), [90, 0]);
+  if (SIZES[size].touch) {
+    await toMiddle(page, "x 0");
+    const [x, y] = await vertex(page, "x 0");
+    await twoFingers(page, [x, y], [50, 30]);
+    const turned = await eye();
+    assert.ok(turned[0] < 85 && turned[1] > 5, `two fingers turn to ${turned}`);
+  }
   const after = await state(page);
   assert.deepEqual(after.outcome, run);
   assert.equal(after.changed, false);

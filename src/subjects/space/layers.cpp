@@ -41,10 +41,12 @@ Floor floor_of(const SceneBuilder& scene) {
   return floor;
 }
 
-/// The shadow of points that light from straight above throws on the floor.
-void shadow(SceneBuilder& scene, const std::vector<Vector3d>& points, double z) {
+/// The shadow of a body that light from straight above throws on the floor.
+void shadow(SceneBuilder& scene, const Polyhedron& hull, const std::vector<Vector3d>& points,
+            double z) {
   std::vector<Vector2d> below;
-  for (const Vector3d& point : points) below.push_back(in_plane(point));
+  for (const int vertex : hull.vertices)
+    below.push_back(in_plane(points[static_cast<std::size_t>(vertex)]));
   std::vector<Point> corners;
   for (const int corner : convex_hull(below)) {
     const Vector2d& at = below[static_cast<std::size_t>(corner)];
@@ -81,10 +83,13 @@ void floor_and_shadows(SceneBuilder& scene) {
     }
   }
   if (scene.view.kind == ViewKind::world) {
-    for (const Body& body : scene.positioned.bodies) shadow(scene, body.world, floor.z);
+    const ShapeSolids::Value& hulls = scene.effects.get<ShapeSolids>(scene.frame);
+    for (std::size_t i = 0; i < hulls.size(); ++i)
+      shadow(scene, hulls[i], scene.positioned.bodies[i].world, floor.z);
     if (scene.run.point_query()) drop_line(scene, scene.positioned.x().world.front(), floor.z);
   } else {
-    shadow(scene, scene.effects.get<DifferenceSolid>(scene.frame).points, floor.z);
+    const DifferenceSolid::Value& z = scene.effects.get<DifferenceSolid>(scene.frame);
+    shadow(scene, z.hull, z.points, floor.z);
     drop_line(scene, Vector3d::Zero(), floor.z);
   }
 }
