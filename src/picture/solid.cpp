@@ -47,9 +47,9 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   }
   const std::vector<bool> front = faces_in_front(scene.map, solid);
   const auto is_front = [&](int face) { return front[static_cast<std::size_t>(face)]; };
-  // Among many short edges those behind cannot be told apart, and at last none can.
+  // Among many short edges those behind cannot be told apart, and at last no edge or face can.
   constexpr double kHiddenRoom = 24.0;
-  constexpr double kRoom = 8.0;
+  constexpr double kRoom = 12.0;
   double length = 0.0;
   for (const Polyhedron::Edge& ends : solid.edges) length += (at(ends.from) - at(ends.to)).norm();
   const double mean = length / static_cast<double>(solid.edges.size());
@@ -63,7 +63,7 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   for (const int corner : convex_hull(seen))
     silhouette.push_back(seen[static_cast<std::size_t>(corner)]);
   for (std::size_t k = 0; k < solid.faces.size(); ++k) {
-    if (!front[k] || light.dot(solid.faces[k].normal) > kShaded) continue;
+    if (mean <= kRoom || !front[k] || light.dot(solid.faces[k].normal) > kShaded) continue;
     std::vector<Point> corners;
     for (const int vertex : solid.faces[k].vertices) corners.push_back(at(vertex));
     scene.area(role + ".shade", corners);

@@ -133,6 +133,40 @@ TEST(Differences, OfTwoPolyhedraAreAllInTheirHull) {
   }
 }
 
+TEST(Differences, OfManyVerticesHaveTheSameHullFromFewPairs) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  const auto body = [&](int count) {
+    std::vector<Vector3d> points;
+    for (int i = 0; i < count; ++i)
+      points.push_back(Vector3d(normal(random), normal(random), normal(random)).normalized());
+    return points;
+  };
+  const std::vector<Vector3d> box = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                     {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+  const std::vector<Vector3d> flat = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  const std::vector<std::pair<std::vector<Vector3d>, std::vector<Vector3d>>> cases = {
+      {body(40), body(60)}, {body(100), box}, {box, box}, {flat, body(30)}, {body(5), body(80)}};
+  for (const auto& [x, y] : cases) {
+    const Polyhedron of_x = hull_in_space(x);
+    const Polyhedron of_y = hull_in_space(y);
+    const auto pairs = pairs_of_hull({of_x, x}, {of_y, y});
+    EXPECT_LT(pairs.size(), x.size() * y.size());
+    std::vector<Vector3d> few;
+    for (const gjk::VertexPair& pair : pairs)
+      few.emplace_back(y[static_cast<std::size_t>(pair.y)] - x[static_cast<std::size_t>(pair.x)]);
+    const Polyhedron hull = hull_in_space(few);
+    for (const Vector3d& of : x) {
+      for (const Vector3d& at : y) {
+        for (const Polyhedron::Face& face : hull.faces) {
+          const Vector3d& on = few[static_cast<std::size_t>(face.vertices[0])];
+          EXPECT_LE(face.normal.dot(at - of - on), 1e-12);
+        }
+      }
+    }
+  }
+}
+
 /// Between planes through a vertex of Y and one of X there is no other vertex, and it gets as wide
 /// as the distance.
 TEST(Slabs, InSpaceAreEmpty) {
