@@ -158,7 +158,7 @@ void App::tick(double now) {
   if (keeping_.valid() && is_ready(keeping_)) end_keeping();
   const bool is_due = unsaved_.keeps() && now_ >= next_save_ && session_.version() != kept_version_;
   if (is_due && !keeping_.valid()) keep_unsaved_beside();
-  note_finished();
+  note_memory();
   if (!ImGui::GetIO().MouseDown[0]) keep_settings();
 }
 
@@ -259,10 +259,61 @@ void App::click_on(int by) {
   if (by < 0) session_.go_to(session_.frame_count() - 1);
 }
 
-void App::note_finished() {
-  if (session_.index() + 1 == session_.frame_count() &&
-      finished_.insert(session_.lesson().id).second)
-    write_lines("finished", {finished_.begin(), finished_.end()});
+const ListedLesson* App::listed(const std::string& id) const {
+  const auto found = std::find_if(lessons_.begin(), lessons_.end(), [&](const auto& lesson) {
+    return lesson.id == id && lesson.problem.empty();
+  });
+  return found == lessons_.end() ? nullptr : &*found;
+}
+
+void App::note_memory() {
+  const std::string& id = session_.lesson().id;
+  const std::pair here(id, session_.index());
+  const bool is_new = here != noted_at_;
+  noted_at_ = here;
+  if (is_new && session_.index() + 1 == session_.frame_count()) memory_.finished.insert(id);
+  // A lesson that was only opened leaves the place of the one before.
+  if (is_new && session_.index() > 0 && listed(id) != nullptr) {
+    const auto& frames = session_.run().frames;
+    const auto asked = std::count_if(frames.begin(), frames.begin() + session_.index(),
+                                     [](const Frame& frame) { return frame.question >= 0; });
+    memory_.stopped = {id, session_.index() - static_cast<int>(asked)};
+  }
+  noted_answers_ = std::min(noted_answers_, session_.answers().size());
+  for (; noted_answers_ < session_.answers().size(); ++noted_answers_) {
+    const Answer& answer = session_.answers()[noted_answers_];
+    const Memory::Asked asked{answer.lesson, answer.run, answer.step};
+    if (answer.is_right()) memory_.wrong.erase(asked);
+    if (!answer.is_right() && listed(answer.lesson) != nullptr) memory_.wrong.insert(asked);
+  }
+  if (memory_ == kept_memory_) return;
+  kept_memory_ = memory_;
+  write_lines("memory", memory_lines(memory_));
+}
+
+void App::go_on() {
+  const Memory::Place place = *stopped_before_;
+  stopped_before_.reset();
+  open_path(listed(place.lesson)->file);
+  const auto& frames = session_.run().frames;
+  int at = 0;
+  for (int told = 0; at + 1 < session_.frame_count() && told < place.frame; ++at)
+    told += frames[static_cast<std::size_t>(at)].question < 0 ? 1 : 0;
+  session_.go_to(at);
+}
+
+void App::repeat_question() {
+  const Memory::Asked asked = *memory_.wrong.begin();
+  const ListedLesson* lesson = listed(asked.lesson);
+  memory_.wrong.erase(asked);  // asked again, it comes back if it is answered wrong again
+  if (lesson == nullptr) return;
+  open_path(lesson->file);
+  session_.set_predicting(true);
+  const auto& frames = session_.run().frames;
+  const auto found = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) {
+    return frame.question >= 0 && frame.run == asked.run && frame.answering_step == asked.step;
+  });
+  if (found != frames.end()) session_.go_to(static_cast<int>(found - frames.begin()));
 }
 
 App::Progress App::progress(std::optional<int> chapter) const {
@@ -270,7 +321,7 @@ App::Progress App::progress(std::optional<int> chapter) const {
   for (const ListedLesson& lesson : lessons_) {
     if (!lesson.problem.empty() || (chapter && lesson.chapter != *chapter)) continue;
     ++out.of;
-    if (finished_.contains(lesson.id)) ++out.done;
+    if (memory_.finished.contains(lesson.id)) ++out.done;
   }
   return out;
 }
@@ -370,6 +421,20 @@ void App::make_commands() {
   add(
       "Step", "Lesson before", {"Ctrl+PageUp"}, [&] { open_path(neighbour(-1)->file); },
       [&] { return neighbour(-1) != nullptr; });
+  add(
+      "Step", "Continue where the window was left", {"Ctrl+Home"}, [&] { go_on(); },
+      [&] { return stopped_before_ && listed(stopped_before_->lesson) != nullptr; });
+  add(
+      "Step", "Repeat a question that was answered wrong", {}, [&] { repeat_question(); },
+      [&] { return !memory_.wrong.empty(); });
+  add(
+      "Step", "Forget what was done", {},
+      [&] {
+        memory_ = {};
+        stopped_before_.reset();
+        noted_at_ = {session_.lesson().id, session_.index()};
+      },
+      [&] { return memory_ != Memory{} || stopped_before_; });
 
   add(
       "Edit", "Undo", {"Ctrl+Z"},

@@ -27,6 +27,7 @@
 #include "known_files.hpp"
 #include "lesson/case.hpp"
 #include "lesson/terms.hpp"
+#include "memory.hpp"
 #include "paint/imgui_painter.hpp"
 #include "picture_view.hpp"
 #include "presenter.hpp"
@@ -343,7 +344,11 @@ class App {
   void keep_settings();
   void write_lines(const char* name, const std::vector<std::string>& lines) const;
   void end_export();
-  void note_finished();
+  void note_memory();
+  [[nodiscard]] const ListedLesson* listed(const std::string& id) const;
+  /// Opens the lesson where the window was left last.
+  void go_on();
+  void repeat_question();
 
   Paths paths_;
   const Fonts& fonts_;
@@ -418,7 +423,11 @@ class App {
   std::size_t notice_lines_ = 0;  ///< As they were laid out last.
   bool leaves_unsaved_ = false;   ///< The lesson that another one was opened over.
   std::vector<std::string> recent_;
-  std::set<std::string> finished_;  ///< Lessons that were stepped to their end.
+  Memory memory_;
+  Memory kept_memory_;                           ///< As its file has it.
+  std::optional<Memory::Place> stopped_before_;  ///< This start.
+  std::size_t noted_answers_ = 0;
+  std::pair<std::string, int> noted_at_;  ///< The lesson, and its frame.
   struct Exported {
     std::string outcome;
     bool failed = false;

@@ -498,7 +498,8 @@ void App::read_recent() {
   if (paths_.state.empty()) return;
   try {
     recent_ = lines_of(paths_.state / "recent");
-    for (std::string& id : lines_of(paths_.state / "finished")) finished_.insert(std::move(id));
+    kept_memory_ = memory_ = memory_of(lines_of(paths_.state / "memory"));
+    stopped_before_ = memory_.stopped;
   } catch (const std::runtime_error&) {
     // Conveniences.
   }

@@ -408,7 +408,7 @@ void App::draw_lesson(const ListedLesson& lesson, bool is_open) {
   const ImVec2 end(at.x + picture.x, at.y + picture.y);
   if (has_thumbnails) draw_small_picture(is_good ? lesson.file : "", at, picture);
   const ImU32 ink = ImGui::GetColorU32(is_good ? ImGuiCol_Text : ImGuiCol_TextDisabled);
-  if (!is_good || finished_.contains(lesson.id)) {
+  if (!is_good || memory_.finished.contains(lesson.id)) {
     const char* const sign = is_good ? "✓" : "!";
     list.AddText({end.x - ImGui::CalcTextSize(sign).x - 2.0f, end.y - ImGui::GetFontSize()},
                  is_good ? ImGui::GetColorU32(ImGuiCol_CheckMark) : ink, sign);

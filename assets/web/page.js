@@ -55,6 +55,10 @@ async function act(request, { moves = false, about } = {}) {
 /** A picture without the style inside that a strict policy would refuse; style.css has it. */
 const unstyled = (markup) => markup.replace(/ style="[^"]*"/, "");
 
+/** The lesson as it was written, in a page of its own. */
+const remembers = () => data.kind === "lesson" && !state.changed && !root.classList.contains("embed");
+const whereStopped = () => ({ step: state.index + 1, count: state.count, asks: state.predicting });
+
 /** Puts a picture into its place, which knows it; what it says becomes its name. */
 function put(host, markup, role) {
   host.markup = markup;
@@ -123,6 +127,7 @@ function show(next, moves) {
   keep(next);
   if (last && (last.index !== state.index || last.history.now !== state.history.now || String(last.eye) !== String(state.eye))) keepLink();
   if (root.dataset.ready && last.index !== state.index) tellHost("step", shownStep());
+  if (root.dataset.ready && remembers() && last.index !== state.index) remember(data.id, whereStopped());
   clearTimeout(paperTimer);
   paperTimer = setTimeout(async () => {
     const wanted = state;

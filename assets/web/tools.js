@@ -22,6 +22,7 @@ function showTools(next, last) {
     const said = isRight ? `Right: ${answer}.` : `Not ${chosen}: the run says ${answer}.`;
     const off = away ? ` You pointed ${away} away from it.` : "";
     setText("verdict", `${said}${off} ${right} of ${asked} so far.`);
+    if (last?.question && remembers()) remember(data.id, whereStopped(), { step: last.index + 1, right: isRight });
     tellHost("answer", { step: state.index + 1, chosen, answer, right: isRight, asked, correct: right });
   }
 }

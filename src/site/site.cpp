@@ -157,7 +157,7 @@ class SiteWriter {
     common_.wasm = base64(module_);
     common_.fonts = read_whole(web / "fonts.css");
     common_.style += assets({"style.css"});
-    common_.head = assets({"theme.js", "room.js"});
+    common_.head = assets({"theme.js", "room.js", "memory.js"});
     common_.worker = assets({"bytes.js", "player.js", "worker.js"});
     common_.script = assets({"bytes.js", "program.js", "motion.js", "terms.js", "page.js",
                              "tools.js", "hand.js", "links.js", "kit.js", "host.js", "start.js"});
@@ -186,8 +186,9 @@ class SiteWriter {
     for (const auto& [name, text] : beside_) refuse_foreign(options_.out_dir / name);
     for (const Lesson& lesson : lessons) {
       for (const bool dark : {false, true})
-        refuse_foreign(options_.out_dir / card_file(lesson, dark));
+        refuse_foreign(options_.out_dir / card_file(lesson.id, dark));
     }
+    for (const bool dark : {false, true}) refuse_foreign(options_.out_dir / card_file("map", dark));
   }
 
   void write_lesson(const Lesson& lesson, const Lesson* next) {
@@ -212,6 +213,8 @@ class SiteWriter {
   void write_index(const std::vector<Lesson>& lessons) {
     const std::map<int, std::string> chapters =
         parse_chapters(read_whole(assets_ / "chapters.toml"), "assets/chapters.toml");
+    const auto map = std::find_if(lessons.begin(), lessons.end(),
+                                  [](const Lesson& lesson) { return lesson.act == "course-map"; });
     std::string list;
     int chapter = -1;  // of the lesson before; none
     for (const Lesson& lesson : lessons) {
@@ -219,9 +222,9 @@ class SiteWriter {
         if (chapter >= 0) list += "</ul></section>\n";
         chapter = lesson.chapter;
         const auto title = chapters.find(chapter);
-        list +=
-            fmt::format("<section class=\"chapter\"><h2>{}{}</h2>\n<ul class=\"cards\">\n", chapter,
-                        title == chapters.end() ? "" : ". " + escape_html(title->second));
+        list += fmt::format(
+            "<section class=\"chapter\" id=\"chapter-{}\"><h2>{}{}</h2>\n<ul class=\"cards\">\n",
+            chapter, chapter, title == chapters.end() ? "" : ". " + escape_html(title->second));
       }
       list += card(lesson);
     }
@@ -230,6 +233,7 @@ class SiteWriter {
                 "The GJK distance algorithm, one decision at a time: lessons to step through, to "
                 "drag and to ask.",
                 {{"lessons", list},
+                 {"map", map == lessons.end() ? "" : map_of_chapters(*map, chapters)},
                  {"first", lessons.empty() ? "playground" : escape_html(lessons.front().id)}});
   }
 
@@ -425,8 +429,8 @@ class SiteWriter {
     return kept_.back();
   }
 
-  [[nodiscard]] static std::string card_file(const Lesson& lesson, bool dark) {
-    return fmt::format("cards/{}{}.svg", lesson.id, dark ? "-dark" : "");
+  [[nodiscard]] static std::string card_file(const std::string& name, bool dark) {
+    return fmt::format("cards/{}{}.svg", name, dark ? "-dark" : "");
   }
 
   /// The texts that the player reads besides fonts.
@@ -584,19 +588,56 @@ class SiteWriter {
     std::erase_if(picture.marks, [](const Mark& mark) {
       return std::holds_alternative<Text>(mark.shape) || mark.role == "view-title.box";
     });
+    return fmt::format("<li><a href=\"{}.html\">{}<strong>{}</strong><span>{}</span></a></li>\n",
+                       escape_html(lesson.id), images_of(picture, lesson.id),
+                       escape_html(lesson.title), escape_html(pictures.texts().front().prose));
+  }
+
+  /// A picture in a light and a dark theme, of which a page shows one.
+  [[nodiscard]] std::string images_of(const Picture& picture, const std::string& name) {
     std::string images;
     for (const bool dark : {false, true}) {
       const std::string svg =
           to_svg(picture, fonts_, dark ? dark_ : theme_, "", shares() ? signature() : "");
       images += fmt::format(
-          "<img class=\"{}\" src=\"{}\" width=\"640\" height=\"360\" alt=\"\" loading=\"lazy\">",
+          "<img class=\"{}\" src=\"{}\" width=\"{:g}\" height=\"{:g}\" alt=\"\" loading=\"lazy\">",
           dark ? "dim" : "bright",
-          shares() ? escape_html(put_beside(card_file(lesson, dark), svg))
-                   : "data:image/svg+xml;base64," + base64(svg));
+          shares() ? escape_html(put_beside(card_file(name, dark), svg))
+                   : "data:image/svg+xml;base64," + base64(svg),
+          picture.width, picture.height);
     }
-    return fmt::format("<li><a href=\"{}.html\">{}<strong>{}</strong><span>{}</span></a></li>\n",
-                       escape_html(lesson.id), images, escape_html(lesson.title),
-                       escape_html(pictures.texts().front().prose));
+    return images;
+  }
+
+  /// The map of the course, whose tiles lead to the chapters of the index.
+  [[nodiscard]] std::string map_of_chapters(const Lesson& map,
+                                            const std::map<int, std::string>& chapters) {
+    const LessonRun run = run_lesson(map);
+    EffectGraph effects(run);
+    LessonPictures pictures(run, effects, fonts_, {1100.0, 420.0, 1.0, true});
+    Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
+    std::string links;
+    int chapter = 0;
+    const auto percent = [](double part, double whole) { return 100.0 * part / whole; };
+    std::erase_if(picture.marks,
+                  [](const Mark& mark) { return mark.role.starts_with("view-title"); });
+    for (Mark& mark : picture.marks) {
+      if (!mark.role.starts_with("map.tile")) continue;
+      constexpr double kTitle = 30.0;  // below a tile
+      mark.role = "map.tile";          // no chapter is the current one
+      ++chapter;
+      const auto title = chapters.find(chapter);
+      const Rect& tile = std::get<Box>(mark.shape).rect;
+      links += fmt::format(
+          "<a href=\"#chapter-{}\" aria-label=\"Chapter {}: {}\" style=\"left: {:.2f}%; top: "
+          "{:.2f}%; width: {:.2f}%; height: {:.2f}%\"></a>\n",
+          chapter, chapter, title == chapters.end() ? "" : escape_html(title->second),
+          percent(tile.min.x(), picture.width), percent(tile.min.y(), picture.height),
+          percent(tile.size().x(), picture.width),
+          percent(tile.size().y() + kTitle, picture.height));
+    }
+    return fmt::format("<nav class=\"map\" aria-label=\"Chapters\">{}\n{}</nav>\n",
+                       images_of(picture, "map"), links);
   }
 
   void write(const std::string& name, const std::string& text) {

@@ -677,6 +677,71 @@ TEST(App, LessonsThatWereSteppedToTheirEndAreCounted) {
   EXPECT_EQ(again.app().progress().of, of);
 }
 
+/// Whether the command with this name has something to do.
+bool can(HeadlessApp& window, std::string_view name) {
+  const auto& all = window.app().commands();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Command& command) { return command.name == name; });
+  return found != all.end() && found->is_enabled();
+}
+
+TEST(App, GoesOnWhereTheWindowWasLeftAndForgetsWhenAsked) {
+  const TemporaryFolder state;
+  constexpr const char* kContinue = "Continue where the window was left";
+  {
+    HeadlessApp window("triangle-ordered-test", state.path());
+    EXPECT_FALSE(can(window, kContinue));
+    for (int i = 0; i < 3; ++i) window.key("Right");
+  }
+  {
+    HeadlessApp again("stop-vertex", state.path());
+    EXPECT_TRUE(again.app().run_command(kContinue));
+    EXPECT_EQ("triangle-ordered-test", again.session().lesson().id);
+    EXPECT_EQ(3, again.session().index());
+    EXPECT_FALSE(can(again, kContinue));
+    EXPECT_TRUE(again.app().run_command("Forget what was done"));
+    again.frame();
+    EXPECT_FALSE(can(again, "Forget what was done"));
+  }
+  HeadlessApp last("stop-vertex", state.path());
+  EXPECT_FALSE(can(last, kContinue));
+}
+
+TEST(App, AQuestionThatWasAnsweredWrongIsAskedAgain) {
+  const TemporaryFolder state;
+  constexpr const char* kRepeat = "Repeat a question that was answered wrong";
+  int asked = -1;
+  std::string right;
+  {
+    HeadlessApp window("polygons-gjk", state.path());
+    Session& session = window.session();
+    EXPECT_FALSE(can(window, kRepeat));
+    session.set_predicting(true);
+    while (session.question() == nullptr) session.step(1);
+    asked = session.index();
+    right = session.question()->answer;
+    const auto& choices = session.question()->choices;
+    session.answer(*std::find_if(choices.begin(), choices.end(),
+                                 [&](const std::string& choice) { return choice != right; }));
+    window.frame();
+  }
+  HeadlessApp again("stop-vertex", state.path());
+  EXPECT_TRUE(again.app().run_command(kRepeat));
+  EXPECT_EQ("polygons-gjk", again.session().lesson().id);
+  EXPECT_EQ(asked, again.session().index());
+  ASSERT_NE(nullptr, again.session().question());
+  again.session().answer(right);
+  again.frame();
+  EXPECT_FALSE(can(again, kRepeat));
+}
+
+TEST(App, DamagedMemoryIsLeftOut) {
+  const Memory memory = memory_of({"finished", "stopped polygons-gjk", "stopped simplex -2", "",
+                                   "wrong simplex 1", "nothing", "finished simplex"});
+  EXPECT_EQ((Memory{{"simplex"}, {}, {}}), memory);
+  EXPECT_EQ(memory, memory_of(memory_lines(memory)));
+}
+
 TEST(App, RecentFilesAreThereAfterAnotherStart) {
   const TemporaryFolder folder;
   const fs::path lessons = fs::path(GJKSCOPE_SOURCE_DIR) / "lessons";

@@ -1368,6 +1368,51 @@ action("a question for two vertices has two short lists, answered by hand or by 
   await close(page);
 });
 
+claim("the index leads to where one stopped and to questions answered wrong, says what is done, and forgets all of it", async () => {
+  const page = await open(url("index"));
+  const memory = page.locator("#memory");
+  assert.equal(await memory.isVisible(), false);
+  await page.goto(url("triangle-ordered-test"));
+  await ready(page);
+  for (let i = 0; i < 6; ++i) await page.locator("body").press("ArrowRight");
+  await rest(page);
+  await page.goto(url("index"));
+  assert.match(await memory.locator("p a").first().textContent(), /^Continue: .*, step 7 of \d+$/);
+  assert.match(await page.locator('.cards a[href="triangle-ordered-test.html"] .so-far').textContent(), /^step 7 of \d+$/);
+  await memory.locator("p a").first().click();
+  await ready(page);
+  assert.equal((await count(page))[0], 7);
+  await page.click("#predict");
+  let at = 0;
+  // The first choice is wrong sooner or later.
+  do {
+    await toQuestion(page);
+    [at] = await count(page);
+    await page.locator("#choices button").first().click();
+    await rest(page);
+  } while (!(await page.locator("#verdict.wrong").count()));
+  await page.locator("body").press("End");
+  await rest(page);
+  await page.goto(url("index"));
+  assert.equal(await page.locator('.cards a[href="triangle-ordered-test.html"] .so-far').textContent(), "✓ done");
+  const repeat = memory.locator("p", { hasText: "Repeat a question" }).locator("a").first();
+  assert.equal(await repeat.textContent(), `step ${at}`);
+  await repeat.click();
+  await ready(page);
+  assert.equal((await count(page))[0], at);
+  assert.match(await text(page, "caption"), /^Question: /);
+  await page.goto(url("index"));
+  await memory.locator("button").click();
+  assert.equal(await memory.isVisible(), false);
+  assert.equal(await page.locator(".so-far").count(), 0);
+  await page.reload();
+  assert.equal(await memory.isVisible(), false);
+  await page.evaluate(() => localStorage.setItem("gjkscope-memory", '{"last":3,"lessons":{"triangle-ordered-test":{"step":"7"},"simplex":null}}'));
+  await page.reload();
+  assert.equal(await memory.isVisible(), false);
+  await close(page);
+});
+
 claim("Play stops where a dialog opens", async () => {
   const page = await open(url("polygons-gjk", "#step=2"));
   for (const dialog of ["share", "embed"]) {
