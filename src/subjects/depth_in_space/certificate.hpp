@@ -7,6 +7,7 @@
 // leave Y. If this proves too little the same loop runs in exact arithmetic, from GJK's simplex.
 // tests/depth holds all of it against exact answers.
 
+#include "gjk/proof/certificate.hpp"
 #include "gjk/proof/settle.hpp"
 #include "gjk/proof/witness.hpp"
 #include "subjects/depth/reach.hpp"
@@ -29,9 +30,6 @@ struct Proof {
 /// How much farther than the nearest face Z may reach along its normal, in u times the size of Z,
 /// before rounding must have kept the polytope from growing: tests/depth demands depths within 4.
 inline constexpr int kAllowedGap = 2;
-
-/// Bounds that are wider, in u times the size of Z, are settled: turned vertices err by up to 6.
-inline constexpr int kAllowedWidth = 24;
 
 /// Distance of O from a face of the polytope: 0 where it does not lie inside.
 template <class R>
@@ -82,14 +80,16 @@ template <class R, class N>
 /// The face that holds the point t of the boundary, with its weights there: of all faces that are
 /// about as near as t the one that comes closest to t. Triangles of one plane are many faces, and
 /// the nearest of them need not be the one that has the foot of the perpendicular from O.
+/// `exponent`: of the unit of the polytope, in that of the run.
 template <class R, class S, class N>
 [[nodiscard]] gjk::Simplex<R, 3> contact_face(const Polytope<N>& polytope, const Vec<R, 3>& t,
                                               const gjk::Query<S, 3>& query,
-                                              const gjk::Prepared<R, 3>& prepared) {
+                                              const gjk::Prepared<R, 3>& prepared,
+                                              int exponent = 0) {
   using Word = gjk::DoubleWord<R>;
   const R u = gjk::ScalarTraits<R>::unit_roundoff();
   const R slack = R(8) * R(prepared.vertex_error + R(2) * u * prepared.reach);
-  const R as_far = gjk::careful_length(t) + slack;
+  const R as_far = gjk::ScalarTraits<R>::scaled(R(gjk::careful_length(t) + slack), -exponent);
   const Vec<Word, 3> from = gjk::converted<Word, R, 3>(t);
   gjk::Simplex<R, 3> best;
   R least = std::numeric_limits<R>::infinity();
@@ -148,8 +148,8 @@ template <class R, class S>
       R(depth::detail::kReachRoundings<3>) * u * gjk::magnitude(reach) + prepared.careful_error();
   out.upper = gjk::larger(R(reach + rounding), out.lower);
   out.depth = gjk::smaller(gjk::larger(reach, out.lower), out.upper);
-  out.is_tight =
-      R(0) < out.lower && is_close() && out.upper - out.lower <= R(kAllowedWidth) * u * size;
+  out.is_tight = R(0) < out.lower && is_close() &&
+                 out.upper - out.lower <= Traits::from(gjk::kAllowedWidth) * u * size;
   return out;
 }
 
@@ -191,7 +191,7 @@ template <class R, class S>
   out.upper = gjk::scaled_above(R(upper + few * upper + least), exponent);
   out.depth = std::clamp(out.depth, out.lower, out.upper);
   const Vec<R, 3> t = out.direction * out.depth;
-  out.face = contact_face(end.polytope, t, query, prepared);
+  out.face = contact_face(end.polytope, t, query, prepared, exponent);
   return true;
 }
 
