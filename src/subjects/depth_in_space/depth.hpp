@@ -51,11 +51,9 @@ void set_exact_answer(const State<R>& state, Result<R, 3>& out) {
   if (out.verdict == gjk::Verdict::touching) return;
   for (const Face<R>& face : polytope.faces) {
     if (face.is_outgrown || !(face.distance_sq == nearest.distance_sq)) continue;
-    gjk::Simplex<R, 3> simplex;
-    simplex.count = 3;
+    gjk::Simplex<R, 3> simplex = simplex_of(polytope, face);
     bool holds = true;
     for (int i = 0; i < 3; ++i) {
-      simplex.vertices[i] = polytope.corners[face.corners[i]];
       holds = holds && gjk::dot(state.n, polytope.at(face, i)) == share * n_sq;
     }
     const auto coordinates = gjk::triangle_coordinates(simplex, 0, 1, 2);
