@@ -1,5 +1,5 @@
 #pragma once
-// What a reader of lessons has done, from one start of the window to the next.
+// The memory of a reader of lessons, from one start of the window to the next.
 
 #include <compare>
 #include <optional>

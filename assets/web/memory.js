@@ -1,6 +1,6 @@
 "use strict";
 
-// What a reader has done, kept by this browser alone: which lessons were gone to their end, where the reader stopped, and which
+// The memory of a reader, kept by this browser alone: which lessons were gone to their end, where the reader stopped, and which
 // questions to repeat. Where a browser keeps nothing, pages work without.
 
 const MEMORY = "gjkscope-memory";

@@ -140,7 +140,7 @@ TEST(DepthInSpace, WhereGjkEndsBesideAFullSimplex) {
 }
 
 TEST(DepthInSpace, StartsFromAnyPointsOfZ) {
-  // What GJK never leaves: points beside O, twice the same, on one line or in one plane.
+  // Starts that GJK never leaves: points beside O, twice the same, on one line or in one plane.
   const Pair pair{kCube, box({0.5, 0.25, 1}, {0.25, 0.25, 0.125})};
   const auto query = pair.query();
   const auto prepared = gjk::prepare<double>(query, {});
@@ -292,7 +292,7 @@ TEST(DepthInSpace, OfRoundShapesHasNoCapBelowManyFaces) {
   };
   // Nearly all faces of Z are about as near, and must be reached before one is the nearest.
   Pair pair{ball(200, 1), ball(200, 1)};
-  // Of two balls in one place GJK's first vertex is O, and bounds alone prove nothing.
+  // GJK's first vertex is O for two balls in one place, and bounds alone prove nothing.
   for (Point& vertex : pair.y) vertex += Point(1e-3, 7e-4, 5e-4);
   gjk::Options options;
   options.proof = gjk::Proof::bounds;

@@ -20,7 +20,7 @@ using families::Representation;
 enum class Mode { in_double, float_in_double, in_float };
 constexpr std::array<const char*, 3> kModeNames = {"double", "float in double", "float"};
 
-/// What the sweep asks about in dimension D. Families are numbers from 0.
+/// The pairs of the sweep in dimension D, and their truth. Families are numbers from 0.
 template <int D>
 struct Space {
   using Pair = test::Pair;

@@ -349,7 +349,7 @@ template <class R>
       std::max<long double>(u * truth.scale, std::numeric_limits<R>::denorm_min());
   out.error = std::abs(truth.from_grid(exact(found.depth) - depth)) / unit;
   out.width = truth.from_grid(upper - lower) / unit;
-  // What is left of the overlap, seen along the direction, once X is moved by the translation.
+  // The rest of the overlap, seen along the direction, once X is moved by the translation.
   out.touch = std::abs(truth.from_grid(reach - dot(d, t))) / unit;
 
   // Far from the origin world coordinates stand on a coarse grid.
