@@ -94,7 +94,7 @@ bool adds_up(const std::vector<std::string>& terms, const std::string& sum) {
 std::string difference_as_written(const std::string& from, const std::string& minus,
                                   const std::string& difference) {
   return fmt::format("{} − {} = {}{}", from, minus, difference,
-                     adds_up({minus, difference}, from) ? "" : " before rounding");
+                     adds_up({minus, difference}, from) ? "" : " up to rounding");
 }
 
 std::string raised(int exponent) {

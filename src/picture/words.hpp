@@ -20,7 +20,7 @@ namespace gjkscope {
 
 /// Whether numbers as they are written add up to one as it is written.
 [[nodiscard]] bool adds_up(const std::vector<std::string>& terms, const std::string& sum);
-/// "3.612 − 0.478 = 3.135 before rounding": the last words only where it is so.
+/// "3.612 − 0.478 = 3.135 up to rounding": the last words only where it is so.
 [[nodiscard]] std::string difference_as_written(const std::string& from, const std::string& minus,
                                                 const std::string& difference);
 

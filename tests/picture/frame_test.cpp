@@ -239,7 +239,7 @@ TEST(Captions, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
           weights.terms.push_back(text->text);
         if (mark.role == "code" && row.starts_with("u + v")) {
           weights.total = text->text;
-          weights.says_rounded = row.ends_with("before rounding");
+          weights.says_rounded = row.ends_with("up to rounding");
           sums.push_back(weights);
           ++in_panels;
         }

@@ -30,7 +30,7 @@ TEST(Words, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
   EXPECT_FALSE(adds_up({"0.28366947", "0.71633047"}, "1"));
   EXPECT_EQ(difference_as_written("2.367", "1.181", "1.186"), "2.367 − 1.181 = 1.186");
   EXPECT_EQ(difference_as_written("3.612", "0.478", "3.135"),
-            "3.612 − 0.478 = 3.135 before rounding");
+            "3.612 − 0.478 = 3.135 up to rounding");
 }
 
 TEST(Words, FloatLessonsPrintTheDigitsOfTheSlides) {

@@ -74,20 +74,20 @@ async function close(page) {
 }
 
 const tests = [];
-/** One that is `alone` measures time, or takes so long that others would hold it up: nothing runs beside it. */
+/** One that is `alone` measures time, uses the clipboard, or takes so long that others would hold it up: nothing runs beside it. */
 const claim = (name, body, alone = false) => tests.push({ name, body, alone });
 let actions = 0;
 /**
  * What a hand does: `body` gets how to open a page at a size and in a theme. Each action starts with
  * the next theme, so that over all actions all pairs are tried.
  */
-function action(name, body, sizes = Object.keys(SIZES)) {
+function action(name, body, { sizes = Object.keys(SIZES), alone = false } = {}) {
   const pairs = process.argv.includes("--all")
     ? sizes.flatMap((size) => THEMES.map((theme) => [size, theme]))
     : sizes.map((size, i) => [size, THEMES[(i + actions) % THEMES.length]]);
   ++actions;
   for (const [size, theme] of pairs)
-    claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme));
+    claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme), alone);
 }
 /** `holds` in the page; the driver's own way of waiting needs an eval, which pages forbid. */
 async function until(page, holds) {
@@ -272,7 +272,7 @@ action("a finger that swipes over the empty stage steps, one that drags does not
   assert.equal((await count(page))[0], 4);
   assert.equal((await state(page)).changed, false);
   await close(page);
-}, ["phone"]);
+}, { sizes: ["phone"] });
 
 action("a difference that is pointed at lights up with its two vertices", async (visit, size) => {
   const page = await visit(url("polygons-gjk", "#step=17"));
@@ -389,7 +389,7 @@ action("Shift holds a drag to round numbers, and G does it for all", async (visi
   await drag();
   assert.equal(await short(), true);
   await close(page);
-}, ["laptop", "projector"]);
+}, { sizes: ["laptop", "projector"] });
 
 action("vertices are typed as decimals and hex floats, and moved by arrow keys", async (visit) => {
   const page = await visit(url("polygons-gjk"));
@@ -456,7 +456,7 @@ action("the listing becomes code, is copied by a click, and the link holds it", 
   assert.ok(!(await without.locator("#listing").isVisible()), "no code for this listing");
   await close(without);
   await close(page);
-});
+}, { alone: true });
 
 action("scalar and rules are chosen, and the run follows", async (visit) => {
   const page = await visit(url("direction-half"));

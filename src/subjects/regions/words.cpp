@@ -154,7 +154,7 @@ void orders(const Story& story, FrameText& text) {
         "Whole tests also ask for u, v > 0 on the edge. Edges first, they still give {}.", region);
     text.detail = fmt::format(
         "P′ = P, at distance {}. No two of these six tests are true at once, so any order works. "
-        "The interior is left.",
+        "The interior has no test of its own.",
         distance);
   }
 }

@@ -171,7 +171,7 @@ void areas(const Story& story, FrameText& text) {
     edges += (count > 0 ? " and " : "") + edge;
     ++count;
   }
-  sum += adds_up(terms, "1") ? " = 1" : " = 1 before rounding";
+  sum += adds_up(terms, "1") ? " = 1" : " = 1 up to rounding";
   if (count == 0) {
     text.caption = fmt::format("{} lies inside: all three areas are positive and together fill {}.",
                                story.q, whole);

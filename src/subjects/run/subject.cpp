@@ -36,7 +36,7 @@ const SubjectParts subjects::run{
                {"pair.link", "joins the two vertices of a difference"},
                {"second.right-angle", "a right angle, stretched as the view is"},
                {"history.closest", "P of an earlier iteration"},
-               {"skin.origin", "as far from O as both radii"},
+               {"skin.origin", "at the sum of both radii from O"},
                {"skin.gap", "from one round shape to the other"},
                {"path.now", "middle of a shape, on its way"}},
     .adds = captions::direction_rules,

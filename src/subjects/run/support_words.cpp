@@ -88,7 +88,7 @@ void support_in_parts(const Story& story, FrameText& text) {
                                  story.numbers(std::abs(along_x)), total,
                                  adds_up({story.numbers(along_y), story.numbers(along_x)}, total)
                                      ? ""
-                                     : " before rounding");
+                                     : " up to rounding");
       text.detail =
           next.stop == gjk::StopReason::repeated_support
               ? fmt::format(

@@ -136,7 +136,7 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
     return dot.error && *dot.error < kLeastShown;
   });
   plot.y = error.close_axis(fmt::format("{} on {} pairs{}", kErrorTitle, family.front().pairs,
-                                        goes_beyond ? "; smaller ones stand at the foot" : ""));
+                                        goes_beyond ? "; smaller ones are drawn at the bottom" : ""));
   plot.y.low = std::max(plot.y.low, kLeastShown);
   plot.y.high = kAbove;
   if (!has_all) {

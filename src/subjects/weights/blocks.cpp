@@ -65,7 +65,7 @@ void weights(PanelBuilder& panel) {
                           : count == 3 ? "u + v + w"
                           : count == 2 ? "u + v"
                                        : "u") +
-                  (adds_up(terms, total) ? "" : " before rounding"),
+                  (adds_up(terms, total) ? "" : " up to rounding"),
               type::kBody);
   panel.write("code", panel.right, total, type::kCode, Align::right);
   panel.y += kRow;
