@@ -162,7 +162,7 @@ class Frames : public ::testing::TestWithParam<Page> {};
 
 TEST_P(Frames, CanBeRead) {
   ASSERT_GE(themes().size(), 4u);
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     const auto frames = lesson_pictures(run, effects, fonts(), GetParam());

@@ -12,17 +12,19 @@ const layouts = [
   { do: "layout", width: 900, height: 450, panel: 384, timeline: 900, theme: "light" },
 ];
 
+const counting = await startProgram();
 const requests = [];
 const ask = (request) => requests.push(request);
 const lessons = readdirSync(`${root}/lessons`).filter((name) => name.endsWith(".toml"));
 for (const file of lessons) {
   const files = { "accuracy-cost.json": read("lessons/accuracy-cost.json") };
   ask({ do: "open", lesson: read(`lessons/${file}`), name: file, files });
+  const { count } = counting(requests.at(-1));
   ask({ do: "trace" });
   for (const layout of layouts) {
     ask(layout);
     ask({ do: "go", to: 0 });
-    for (let step = 0; step < 45; ++step) ask({ do: "step", by: 1 });
+    for (let step = 1; step < count; ++step) ask({ do: "step", by: 1 });
   }
   ask({ do: "frame" });
   ask({ do: "go", to: 1 });

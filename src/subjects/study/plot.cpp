@@ -135,8 +135,9 @@ Plot study_plot(const LessonStudy& study, const StudyFrame& frame) {
   const bool goes_beyond = std::any_of(shown.begin(), shown.end(), [](const StudyDot& dot) {
     return dot.error && *dot.error < kLeastShown;
   });
-  plot.y = error.close_axis(fmt::format("{} on {} pairs{}", kErrorTitle, family.front().pairs,
-                                        goes_beyond ? "; smaller ones are drawn at the bottom" : ""));
+  plot.y =
+      error.close_axis(fmt::format("{} on {} pairs{}", kErrorTitle, family.front().pairs,
+                                   goes_beyond ? "; smaller ones are drawn at the bottom" : ""));
   plot.y.low = std::max(plot.y.low, kLeastShown);
   plot.y.high = kAbove;
   if (!has_all) {
