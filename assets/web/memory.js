@@ -70,7 +70,10 @@ function showMemory() {
   const link = (name, step, asks, text) => made("a", { href: stepAddress(name, step, asks), textContent: text });
   if (cards.has(last) && lessons[last]) {
     const { step, count, asks } = lessons[last];
-    lines.push(made("p", {}, link(last, step, asks, `Continue: ${title(last)}, step ${step} of ${count}`)));
+    const names = [...cards.keys()];
+    const next = names[names.indexOf(last) + 1];
+    if (step < count) lines.push(made("p", {}, link(last, step, asks, `Continue: ${title(last)} (step ${step} of ${count})`)));
+    else if (next) lines.push(made("p", {}, link(next, 1, false, `Continue: ${title(next)}`)));
   }
   for (const [name, { wrong }] of known) {
     if (!wrong.length) continue;
@@ -78,7 +81,7 @@ function showMemory() {
     lines.push(made("p", {}, `Repeat a question of “${title(name)}”: `, ...links));
   }
   const done = known.filter(([, lesson]) => lesson.done).length;
-  lines.push(made("p", { className: "note" }, `${done} of ${cards.size} lessons are done. Only this browser knows. `,
+  lines.push(made("p", { className: "note" }, `Done: ${done} of ${cards.size} lessons. Only this browser knows. `,
     made("button", { type: "button", textContent: "Forget all of it", onclick: () => forget() || showMemory() })));
   place.replaceChildren(...lines);
 }

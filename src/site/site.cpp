@@ -614,7 +614,7 @@ class SiteWriter {
                                             const std::map<int, std::string>& chapters) {
     const LessonRun run = run_lesson(map);
     EffectGraph effects(run);
-    LessonPictures pictures(run, effects, fonts_, {1100.0, 420.0, 1.0, true});
+    LessonPictures pictures(run, effects, fonts_, {1100.0, 350.0, 1.0, true});
     Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
     std::string links;
     int chapter = 0;
@@ -622,6 +622,7 @@ class SiteWriter {
     std::erase_if(picture.marks,
                   [](const Mark& mark) { return mark.role.starts_with("view-title"); });
     for (Mark& mark : picture.marks) {
+      if (mark.role == "map.title") std::get<Text>(mark.shape).style = type::kText;
       if (!mark.role.starts_with("map.tile")) continue;
       constexpr double kTitle = 30.0;  // below a tile
       mark.role = "map.tile";          // no chapter is the current one
