@@ -215,7 +215,7 @@ TEST(Room, AWayHomeIsThereWhenNothingIsInSight) {
 }
 
 TEST(Room, NoLessonIsAstrayAsItOpens) {
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     HeadlessApp window(lesson.id);
     EXPECT_TRUE(window.app().picture().empty_cards().empty()) << lesson.id << ", at the start";
     window.key("End");
