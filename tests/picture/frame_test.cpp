@@ -210,7 +210,7 @@ std::vector<WrittenSum> sums_in(const std::string& text) {
     }
     if (sum.terms.size() < 2 || at >= words.size() || words[at] != "=") continue;
     sum.total = number(at + 1);
-    sum.says_rounded = at + 2 < words.size() && words[at + 2] == "before";
+    sum.says_rounded = at + 2 < words.size() && words[at + 2] == "up";
     sums.push_back(std::move(sum));
     i = at;
   }
