@@ -268,9 +268,9 @@ const ListedLesson* App::listed(const std::string& id) const {
 
 void App::note_memory() {
   const std::string& id = session_.lesson().id;
-  const std::pair here(id, session_.index());
-  const bool is_new = here != noted_at_;
-  noted_at_ = here;
+  const bool is_new = noted_at_.second != session_.index() || noted_at_.first != id;
+  if (!is_new && noted_answers_ == session_.answers().size()) return;
+  noted_at_ = {id, session_.index()};
   if (is_new && session_.index() + 1 == session_.frame_count()) memory_.finished.insert(id);
   // A lesson that was only opened leaves the place of the one before.
   if (is_new && session_.index() > 0 && listed(id) != nullptr) {
@@ -286,6 +286,10 @@ void App::note_memory() {
     if (answer.is_right()) memory_.wrong.erase(asked);
     if (!answer.is_right() && listed(answer.lesson) != nullptr) memory_.wrong.insert(asked);
   }
+  keep_memory();
+}
+
+void App::keep_memory() {
   if (memory_ == kept_memory_) return;
   kept_memory_ = memory_;
   write_lines("memory", memory_lines(memory_));
@@ -305,15 +309,19 @@ void App::go_on() {
 void App::repeat_question() {
   const Memory::Asked asked = *memory_.wrong.begin();
   const ListedLesson* lesson = listed(asked.lesson);
-  memory_.wrong.erase(asked);  // asked again, it comes back if it is answered wrong again
-  if (lesson == nullptr) return;
+  // A right answer takes it off the list, too.
+  const auto give_up = [&] {
+    memory_.wrong.erase(asked);
+    keep_memory();
+  };
+  if (lesson == nullptr) return give_up();
   open_path(lesson->file);
   session_.set_predicting(true);
   const auto& frames = session_.run().frames;
   const auto found = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) {
     return frame.question >= 0 && frame.run == asked.run && frame.answering_step == asked.step;
   });
-  if (found != frames.end()) session_.go_to(static_cast<int>(found - frames.begin()));
+  found == frames.end() ? give_up() : session_.go_to(static_cast<int>(found - frames.begin()));
 }
 
 App::Progress App::progress(std::optional<int> chapter) const {
@@ -433,6 +441,7 @@ void App::make_commands() {
         memory_ = {};
         stopped_before_.reset();
         noted_at_ = {session_.lesson().id, session_.index()};
+        keep_memory();
       },
       [&] { return memory_ != Memory{} || stopped_before_; });
 

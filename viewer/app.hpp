@@ -345,6 +345,7 @@ class App {
   void write_lines(const char* name, const std::vector<std::string>& lines) const;
   void end_export();
   void note_memory();
+  void keep_memory();
   [[nodiscard]] const ListedLesson* listed(const std::string& id) const;
   /// Opens the lesson where the window was left last.
   void go_on();

@@ -52,10 +52,11 @@ class Walked {
   }
 
  private:
-  /// How much farther `b` lies along d than `a`.
+  /// How much farther `b` lies along d than `a`. Each point has one number, rounded or not, so a
+  /// walk to ever larger ones ends.
   [[nodiscard]] double along(const Vector3d& d, int a, int b) const {
-    return gjk::dot(
-        d, Vector3d(points_[static_cast<std::size_t>(b)] - points_[static_cast<std::size_t>(a)]));
+    return gjk::dot(d, points_[static_cast<std::size_t>(b)]) -
+           gjk::dot(d, points_[static_cast<std::size_t>(a)]);
   }
 
   const std::vector<Vector3d>& points_;
