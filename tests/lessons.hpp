@@ -24,7 +24,7 @@ inline std::vector<Lesson> shipped_lessons() {
 }
 
 /// All of them where the compiler optimises; one in four under sanitizers and in debug builds,
-/// where each takes five times as long.
+/// which are slow.
 inline std::vector<Lesson> lessons_for_long_tests() {
 #ifdef NDEBUG
   constexpr std::size_t kOneIn = 1;
