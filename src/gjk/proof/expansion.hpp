@@ -15,6 +15,13 @@ using Wider =
     std::conditional_t<(std::numeric_limits<long double>::digits < std::numeric_limits<R>::digits),
                        R, long double>;
 
+// g++ 12 at -O1 takes an Expansion that one of these functions returns for one that it knows, when
+// it sees which memory the function writes (-fipa-modref), and decides a sign without looking.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC push_options
+#pragma GCC optimize("no-ipa-modref")
+#endif
+
 /// Sums, differences, products and comparisons are exact while no product of two components leaves
 /// the range of long double. Division rounds to long double: the core divides for weights and
 /// squared distances, and decides at most by whether these are 0.
@@ -103,6 +110,10 @@ class Expansion {
 
   std::vector<long double> components_;
 };
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC pop_options
+#endif
 
 template <>
 struct ScalarTraits<Expansion> {
