@@ -221,7 +221,7 @@ TEST(Captions, SumsAddUpAsTheyAreWrittenOrSayThatTheyAreRounded) {
   int in_words = 0;
   int in_panels = 0;
   int rounded = 0;
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
@@ -348,7 +348,7 @@ TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
 
 TEST(Legend, OnAStageHidesNoVertex) {
   int boxes = 0;
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     for (const FramePicture& frame :
@@ -799,7 +799,7 @@ TEST(Effects, OnlyTheOnesThatAMarkNeedsAreComputedAndEachPullsWhatItSays) {
 }
 
 TEST(Grid, LinesAreRoundNumbersApartAndNumbersHaveRoom) {
-  for (Lesson lesson : testing::shipped_lessons()) {
+  for (Lesson lesson : testing::lessons_for_long_tests()) {
     if (lesson.dimension == 3) continue;  // which has a floor
     SCOPED_TRACE(lesson.id);
     for (LessonView& view : lesson.views) {

@@ -105,7 +105,7 @@ double share_filled(const FramePicture& frame, const Rect& card, int view, const
 TEST(Linked, TwoViewsUseTheirRoom) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   std::vector<double> shares;
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     const bool fits = lesson.views.size() == 2 &&
                       std::all_of(lesson.views.begin(), lesson.views.end(), [](const auto& view) {
                         return shows_shapes(view.kind) && !view.camera;
@@ -168,7 +168,7 @@ TEST(Linked, WarmStartsAreChartedBesideColdOnes) {
 
 TEST(Linked, EveryLessonCanBeToldByAnswersSupportPointsAndWeights) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
-  for (Lesson lesson : testing::shipped_lessons()) {
+  for (Lesson lesson : testing::lessons_for_long_tests()) {
     // Parts that go with the lesson's own act stay away.
     std::erase_if(lesson.views, [](const LessonView& view) { return view.kind == ViewKind::plot; });
     std::erase_if(lesson.panel, [](const std::string& name) {

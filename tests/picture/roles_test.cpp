@@ -170,7 +170,7 @@ TEST(Roles, AreToldApartByEveryEye) {
   for (const std::string& name : Theme::names(kAssets / "themes"))
     themes.emplace_back(name, Theme::load(kAssets / "themes", name));
   std::size_t compared = 0;
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     const LessonRun run = run_lesson(lesson);
     EffectGraph effects(run);
     int index = 0;

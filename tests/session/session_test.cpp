@@ -354,7 +354,7 @@ TEST(Session, WhatALessonFileCouldNotSayIsRefusedInTheLoadersWords) {
 }
 
 TEST(Session, PanningZoomingFittingAndResizingRunNothing) {
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     Session session(fonts());
     ASSERT_TRUE(session.open(lesson, {}));
     session.go_to(session.frame_count() - 1);
@@ -515,7 +515,7 @@ TEST(Session, AVerdictOnTheStopReadsAsASentence) {
 }
 
 TEST(Session, WhoAsksToBeAskedInTheMiddleIsToldNothing) {
-  for (const Lesson& lesson : testing::shipped_lessons()) {
+  for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     Session session(fonts());
     ASSERT_TRUE(session.open(lesson, {}));
     const int count = session.frame_count();
@@ -613,7 +613,7 @@ TEST(Session, AnyLessonOpensInPredictMode) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   session.set_predicting(true);
-  for (const Lesson& lesson : testing::shipped_lessons())
+  for (const Lesson& lesson : testing::lessons_for_long_tests())
     EXPECT_TRUE(session.open(lesson, {})) << lesson.id;
 }
 

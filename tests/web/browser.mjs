@@ -1,7 +1,7 @@
 // The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
-// that does not hold ends it. An action is tried at each size, in a theme that differs from size to
-// size and from action to action; of claims about every page one lesson in eight is opened. With --all,
-// an action is tried in all twelve pairs, and every page is opened.
+// that does not hold ends it. An action is tried on a phone, and on a laptop or a projector in turn, in
+// themes that change from action to action; of claims about every page one lesson in eight is opened.
+// With --all, an action is tried at each size in each theme, and every page is opened.
 // Usage: node browser.mjs SITE [--shots DIR] [--only WORD] [--all]
 // Pages that need no other file are made by the program that $GJKSCOPE names, or that is built here.
 import assert from "node:assert/strict";
@@ -82,12 +82,13 @@ const claim = (name, body, alone = false) => tests.push({ name, body, alone });
 let actions = 0;
 /**
  * What a hand does: `body` gets how to open a page at a size and in a theme. Each action starts with
- * the next theme, so that over all actions all pairs are tried.
+ * the next theme and takes the other of the larger sizes, so that over all actions all pairs are tried.
  */
 function action(name, body, { sizes = Object.keys(SIZES), alone = false } = {}) {
   const pairs = process.argv.includes("--all")
     ? sizes.flatMap((size) => THEMES.map((theme) => [size, theme]))
-    : sizes.map((size, i) => [size, THEMES[(i + actions) % THEMES.length]]);
+    : sizes.filter((size) => size !== (actions % 2 ? "laptop" : "projector") || sizes.length === 1)
+      .map((size, i) => [size, THEMES[(i + (actions >> 1)) % THEMES.length]]);
   ++actions;
   for (const [size, theme] of pairs)
     claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme), alone);

@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 using fields::Json;
-using sums_in_space::Face;
 using sums_in_space::Kind;
 using Phase = FacesTrace::Phase;
 
@@ -31,7 +30,7 @@ int shown_of_kind(const FacesTrace& told, Kind kind, const Lesson& lesson,
   int best = -1;
   double most = 0.0;
   for (std::size_t i = 0; i < told.faces.size(); ++i) {
-    const Face& face = told.faces[i];
+    const sums_in_space::Face& face = told.faces[i];
     if (face.kind() != kind) continue;
     double area = 0.0;  // as the eye sees it
     const auto corners = corners_of(face, run.x().world, run.y().world);
@@ -80,8 +79,9 @@ StepInfo FacesTrace::info(int step) const {
 }
 
 int FacesTrace::count(Kind kind) const {
-  return static_cast<int>(std::count_if(faces.begin(), faces.end(),
-                                        [&](const Face& face) { return face.kind() == kind; }));
+  return static_cast<int>(
+      std::count_if(faces.begin(), faces.end(),
+                    [&](const sums_in_space::Face& face) { return face.kind() == kind; }));
 }
 
 double FacesTrace::answer(std::string_view name) const {
@@ -98,7 +98,7 @@ Json FacesTrace::json(const Lesson& lesson, const PositionedRun&) const {
     if (at.phase != Phase::all) step["kind"] = kAnswers[static_cast<std::size_t>(at.kind) + 1];
     if (at.phase == Phase::kind) step["count"] = count(at.kind);
     if (at.face >= 0) {
-      const Face& face = faces[static_cast<std::size_t>(at.face)];
+      const sums_in_space::Face& face = faces[static_cast<std::size_t>(at.face)];
       step["y"] = part_name(lesson.y(), face.y);
       step["x"] = part_name(lesson.x(), face.x);
       step["normal"] = fields::point(face.normal);

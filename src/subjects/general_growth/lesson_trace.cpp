@@ -12,7 +12,6 @@ namespace gjkscope {
 namespace {
 
 using fields::Json;
-using general_growth::Sample;
 
 constexpr std::array<std::string_view, 3> kPhases = {"size", "time", "claim"};
 constexpr std::array<std::string_view, 2> kAnswers = {"visits", "pairs"};
@@ -49,7 +48,7 @@ StepInfo GeneralGrowthTrace::info(int step) const {
 }
 
 bool GeneralGrowthTrace::agrees(Claim claim) const {
-  const Sample& last = samples.back();
+  const general_growth::Sample& last = samples.back();
   switch (claim) {
     case Claim::brute_force:
       return times ? times->boxes.back() < times->pairs.back() : last.boxes < last.pairs();
@@ -69,7 +68,7 @@ double GeneralGrowthTrace::answer(std::string_view name) const {
 
 Json GeneralGrowthTrace::json(const Lesson&, const PositionedRun&) const {
   Json out = {{"sizes", Json::array()}};
-  for (const Sample& sample : samples) {
+  for (const general_growth::Sample& sample : samples) {
     Json size = {{"segments", sample.segments}, {"runs", sample.runs},
                  {"pairs", sample.pairs()},     {"boxes", sample.boxes},
                  {"circles", sample.circles},   {"remembered", sample.remembered},

@@ -15,13 +15,11 @@
 namespace gjkscope {
 namespace {
 
-using Json = nlohmann::json;
-
-std::optional<double> number_or_none(const Json& value) {
+std::optional<double> number_or_none(const nlohmann::json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
-std::vector<Eigen::Vector2d> points_of(const Json& list) {
+std::vector<Eigen::Vector2d> points_of(const nlohmann::json& list) {
   std::vector<Eigen::Vector2d> points;
   for (const auto& [x, y] : list.get<std::vector<std::pair<double, double>>>())
     points.emplace_back(x, y);
@@ -29,7 +27,7 @@ std::vector<Eigen::Vector2d> points_of(const Json& list) {
   return points;
 }
 
-StudyDot dot_of(const Json& row) {
+StudyDot dot_of(const nlohmann::json& row) {
   StudyDot dot;
   row.at("family").get_to(dot.family);
   row.at("configuration").get_to(dot.configuration);
@@ -43,7 +41,7 @@ StudyDot dot_of(const Json& row) {
   row.at("ns").get_to(dot.ns);
   row.at("ratio").get_to(dot.ratio);
   dot.error = number_or_none(row.at("error"));
-  const Json& worst = row.at("worst");
+  const nlohmann::json& worst = row.at("worst");
   dot.answer = number_or_none(worst.at("answer"));
   worst.at("distance").get_to(dot.distance);
   dot.x = points_of(worst.at("case").at("a"));
@@ -55,7 +53,7 @@ StudyDot dot_of(const Json& row) {
 
 StudyResults parse_study_results(std::string_view json) {
   constexpr const char* kExpected = "expected the accuracy.json of `gjkscope study accuracy`";
-  const Json read = Json::parse(json, nullptr, false);
+  const nlohmann::json read = nlohmann::json::parse(json, nullptr, false);
   if (read.is_discarded()) throw std::runtime_error(fmt::format("not JSON; {}", kExpected));
   if (!read.is_object() || !read.contains("rows") || !read["rows"].is_array())
     throw std::runtime_error(fmt::format("no rows; {}", kExpected));
@@ -66,7 +64,7 @@ StudyResults parse_study_results(std::string_view json) {
     throw std::runtime_error(fmt::format("machine: {}; {}", error.what(), kExpected));
   }
   int number = 0;
-  for (const Json& row : read["rows"]) {
+  for (const nlohmann::json& row : read["rows"]) {
     ++number;
     try {
       if (row.at("repetitions").get<int>() > 0) out.dots.push_back(dot_of(row));
