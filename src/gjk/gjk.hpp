@@ -1,13 +1,9 @@
 #pragma once
 // The distance between two convex shapes, by GJK, with a certificate.
 //
-// query.hpp holds what a caller asks, result.hpp the answer. To understand the algorithm, read in
-// this order: query.hpp, vector.hpp, simplex.hpp, state.hpp, regions.hpp, direction.hpp,
-// support.hpp, stop.hpp, loop.hpp; record.hpp holds what each phase notes. The folder proof keeps
-// rounding in check: first_pair.hpp (where runs start), ring.hpp (support points of large
-// polygons), nearest_face.hpp, prepare.hpp (frames, units, how large errors can become),
-// certificate.hpp and careful.hpp (proved bounds of the distance), settle.hpp (exact answers),
-// witness.hpp, answer.hpp.
+// To understand the algorithm, read in this order: query.hpp, vector.hpp, simplex.hpp, state.hpp,
+// regions.hpp, direction.hpp, support.hpp, stop.hpp, loop.hpp; record.hpp holds what each phase
+// notes. The folder proof keeps rounding in check; its answer.hpp makes the answer (result.hpp).
 
 #include "gjk/proof/answer.hpp"
 

@@ -67,15 +67,13 @@ enum class Proof : std::uint8_t {
 };
 
 /// Iterations after which a run gives up. GJK in the plane needs 3 to 6 on average, however many
-/// vertices there are (Larsen 1998, "GJK - Running Time"); tests/gjk/distance_test.cpp asserts that
-/// random pairs stay far below the cap.
+/// vertices there are (Larsen 1998, "GJK - Running Time"; tests/gjk/distance_test.cpp).
 inline constexpr int kDefaultIterationCap = 64;
 
 /// How a run decides. Every choice is data, so that a lesson can show what another choice spoils.
 struct Options {
   DirectionRule direction_rule = DirectionRule::perpendicular;
   RegionOrder region_order = RegionOrder::vertices_first;
-
   /// Stop when the support point is already in the simplex (Catto 2010, termination case 1).
   bool stop_on_repeated_support = true;
   /// Stop when P came no nearer to O, or the support point is no farther along d than the simplex.
@@ -83,7 +81,6 @@ struct Options {
   /// Stop when lower >= (1 - tolerance) * upper: a relative tolerance in [0, 1), where 0 is off.
   double tolerance = 0.0;
   int iteration_cap = kDefaultIterationCap;
-
   Proof proof = Proof::exact;
 
   /// The first simplex. When it is empty, the run starts from the support point along the line

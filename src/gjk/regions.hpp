@@ -30,15 +30,6 @@
 
 namespace gjk {
 
-/// Faces of a simplex, in the order in which their regions are tested.
-struct FaceList {
-  std::array<Face, (1 << (kMaxDimension + 1)) - 1> faces = {};
-  int count = 0;
-
-  [[nodiscard]] constexpr const Face* begin() const { return faces.data(); }
-  [[nodiscard]] constexpr const Face* end() const { return faces.data() + count; }
-};
-
 /// The order of the tests for simplices of 1 to 4 vertices. The slides test a segment's B first.
 inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
     {{{0b1}, 1},
@@ -53,7 +44,7 @@ inline constexpr std::array<FaceList, kMaxDimension + 1> kVerticesFirst = {
   FaceList edges_first;
   for (const bool edges : {true, false}) {
     for (const Face face : vertices_first) {
-      if ((vertex_count(face) == 2) == edges) edges_first.faces[edges_first.count++] = face;
+      if ((vertex_count(face) == 2) == edges) edges_first.add(face);
     }
   }
   return edges_first;
@@ -66,7 +57,9 @@ struct Coordinates {
   std::array<Barycentric<R, D>, kAll + 1> of_face;
 
   explicit Coordinates(const Simplex<R, D>& simplex)
-      : Coordinates(simplex, std::make_integer_sequence<Face, kAll>()) {}
+      : of_face([&]<std::size_t... before>(std::index_sequence<before...>) {
+          return std::array{Barycentric<R, D>{}, barycentric(simplex, Face{before + 1})...};
+        }(std::make_index_sequence<kAll>())) {}
 
   /// Coordinate i in F + {i} for a region F: in F itself when i is one of its vertices.
   [[nodiscard]] const R& numerator(Face region, int i) const {
@@ -79,11 +72,6 @@ struct Coordinates {
     }
     return true;
   }
-
- private:
-  template <Face... before>
-  Coordinates(const Simplex<R, D>& simplex, std::integer_sequence<Face, before...>)
-      : of_face{Barycentric<R, D>{}, barycentric(simplex, static_cast<Face>(before + 1))...} {}
 };
 
 /// The record of one region's test: what must be positive, then what must not.
@@ -109,21 +97,21 @@ template <class R, int D, int kCount>
 template <class R, int D>
 [[nodiscard]] R distance_sq(const Simplex<R, D>& simplex, Face face) {
   const FaceVertices& in_face = vertices_of(face);
-  const Vec<R, D>& a = simplex.vertices[in_face.index[0]].w;
+  const Vec<R, D>& a = simplex.vertices[in_face[0]].w;
+  const Vec<R, D>& b = simplex.vertices[in_face[1]].w;
   if constexpr (D == 3) {
     if (in_face.count == 2) {
-      const Vec<R, D> edge = simplex.vertices[in_face.index[1]].w - a;
+      const Vec<R, D> edge = b - a;
       const Vec<R, D> moment = cross(edge, a);
       return dot(moment, moment) / dot(edge, edge);
     }
   }
   const Vec<R, D> normal = normal_of(simplex, face);
   R side(0);  // dot(normal, a); in the plane without the rounding of the edge
-  if constexpr (D == 2) {
-    side = cross(a, simplex.vertices[in_face.index[1]].w);
-  } else {
+  if constexpr (D == 2)
+    side = cross(a, b);
+  else
     side = dot(normal, a);
-  }
   return side * R(side / dot(normal, normal));
 }
 
@@ -164,7 +152,7 @@ void find_region(State<R, D>& state, DirectionRule rule, Rec& record) {
   };
   // One by one and not in a loop, so that compilers see which coordinates each test asks for.
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    static_cast<void>((test(kFaces.faces[i]) || ...));
+    static_cast<void>((test(kFaces.entries[i]) || ...));
   }
   (std::make_index_sequence<kFaces.count>());
   constexpr bool kChecked = order != RegionOrder::unchecked;
@@ -175,45 +163,35 @@ void find_region(State<R, D>& state, DirectionRule rule, Rec& record) {
   if (found == 0) [[unlikely]] {
     found = kChecked ? nearest_face(state.simplex) : state.simplex.all();
     of_found = barycentric(state.simplex, found);
-    if constexpr (Rec::kOn) {
-      record.no_region_held = kChecked && vertex_count(found) != D + 1;
-    }
+    if constexpr (Rec::kOn) record.no_region_held = kChecked && vertex_count(found) != D + 1;
   }
   take_region(state, found, of_found, rule);
 }
 
+template <RegionOrder order, class R, int D, class Rec>
+void find_region(State<R, D>& state, DirectionRule rule, Rec& record) {
+  const int count = state.simplex.count;
+  if (count == 1) return find_region<1, order>(state, rule, record);
+  if (count == 2) return find_region<2, order>(state, rule, record);
+  if (count == 3) return find_region<3, order>(state, rule, record);
+  if constexpr (D == 3) find_region<4, order>(state, rule, record);
+}
 /// The two other orders; out of line, so that the usual one is short.
-template <int kCount, class R, int D, class Rec>
+template <class R, int D, class Rec>
 [[gnu::noinline]] void find_region_otherwise(State<R, D>& state, const Options& options,
                                              Rec& record) {
   if (options.region_order == RegionOrder::edges_first)
-    find_region<kCount, RegionOrder::edges_first>(state, options.direction_rule, record);
+    find_region<RegionOrder::edges_first>(state, options.direction_rule, record);
   else
-    find_region<kCount, RegionOrder::unchecked>(state, options.direction_rule, record);
-}
-template <int kCount, class R, int D, class Rec>
-void find_region(State<R, D>& state, const Options& options, Rec& record) {
-  if (options.region_order == RegionOrder::vertices_first) [[likely]]
-    find_region<kCount, RegionOrder::vertices_first>(state, options.direction_rule, record);
-  else
-    find_region_otherwise<kCount>(state, options, record);
+    find_region<RegionOrder::unchecked>(state, options.direction_rule, record);
 }
 
 template <class R, int D, class Rec>
 void find_closest_point(State<R, D>& state, const Options& options, Rec& record) {
-  switch (state.simplex.count) {
-    case 1:
-      find_region<1>(state, options, record);
-      break;
-    case 2:
-      find_region<2>(state, options, record);
-      break;
-    case 3:
-      find_region<3>(state, options, record);
-      break;
-    default:
-      if constexpr (D == 3) find_region<4>(state, options, record);
-  }
+  if (options.region_order == RegionOrder::vertices_first) [[likely]]
+    find_region<RegionOrder::vertices_first>(state, options.direction_rule, record);
+  else
+    find_region_otherwise(state, options, record);
   state.previous = Phase::closest;
   state.phase = Phase::drop;
 }

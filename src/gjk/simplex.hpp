@@ -21,31 +21,34 @@ using Face = std::uint8_t;
 [[nodiscard]] constexpr bool contains(Face face, int vertex) { return ((face >> vertex) & 1) != 0; }
 [[nodiscard]] constexpr Face face_of(int vertex) { return static_cast<Face>(1u << vertex); }
 
-/// The indices of a face's vertices, ascending.
-struct FaceVertices {
-  std::array<std::uint8_t, kMaxDimension + 1> index = {};
+/// A list of at most so many vertices, by index, or faces.
+template <int kMost>
+struct ShortList {
+  std::array<std::uint8_t, kMost> entries = {};
   int count = 0;
-  [[nodiscard]] constexpr const std::uint8_t* begin() const { return index.data(); }
-  [[nodiscard]] constexpr const std::uint8_t* end() const { return index.data() + count; }
+  [[nodiscard]] constexpr const std::uint8_t* begin() const { return entries.data(); }
+  [[nodiscard]] constexpr const std::uint8_t* end() const { return entries.data() + count; }
+  [[nodiscard]] constexpr std::uint8_t operator[](int i) const { return entries[i]; }
+  constexpr void add(std::uint8_t entry) { entries[count++] = entry; }
 };
-namespace detail {
+using FaceVertices = ShortList<kMaxDimension + 1>;  ///< Ascending.
+using FaceList = ShortList<(1 << (kMaxDimension + 1)) - 1>;
+
 inline constexpr auto kFaceVertices = [] {
   std::array<FaceVertices, 1 << (kMaxDimension + 1)> out = {};
   for (unsigned face = 0; face < out.size(); ++face) {
     for (std::uint8_t i = 0; i <= kMaxDimension; ++i) {
-      if (contains(static_cast<Face>(face), i)) out[face].index[out[face].count++] = i;
+      if (contains(static_cast<Face>(face), i)) out[face].add(i);
     }
   }
   return out;
 }();
-}  // namespace detail
-[[nodiscard]] constexpr const FaceVertices& vertices_of(Face face) {
-  return detail::kFaceVertices[face];
-}
+[[nodiscard]] constexpr const FaceVertices& vertices_of(Face face) { return kFaceVertices[face]; }
 [[nodiscard]] constexpr int vertex_count(Face face) { return vertices_of(face).count; }
 
 template <class R, int D>
 struct Simplex {
+  static_assert(D == 2 || D == 3, "written out for the plane and for space");
   std::array<SupportPoint<R, D>, D + 1> vertices = {};
   std::array<R, D + 1> weights = {};  ///< Barycentric coordinates of P; 0 outside P's face.
   int count = 0;
@@ -145,13 +148,11 @@ template <class R>
 /// Coordinates of O in `face`, which must have a vertex.
 template <class R, int D>
 [[nodiscard]] Barycentric<R, D> barycentric(const Simplex<R, D>& simplex, Face face) {
-  const auto& [vertex, count] = vertices_of(face);
-  if (count == 2) return segment_coordinates(simplex, vertex[0], vertex[1]);
-  if (count == D + 1) return volume_coordinates(simplex);
+  const FaceVertices& vertex = vertices_of(face);
+  if (vertex.count == 2) return segment_coordinates(simplex, vertex[0], vertex[1]);
+  if (vertex.count == D + 1) return volume_coordinates(simplex);
   if constexpr (D == 3) {
-    if (count == 3) {
-      return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
-    }
+    if (vertex.count == 3) return triangle_coordinates(simplex, vertex[0], vertex[1], vertex[2]);
   }
   Barycentric<R, D> point{};
   point.numerator[vertex[0]] = R(1);
@@ -165,7 +166,7 @@ template <class R, int D>
   const FaceVertices& vertex = vertices_of(facet);
   std::array<Vec<R, D>, D - 1> edges;
   for (int i = 1; i < D; ++i) {
-    edges[i - 1] = simplex.vertices[vertex.index[i]].w - simplex.vertices[vertex.index[0]].w;
+    edges[i - 1] = simplex.vertices[vertex[i]].w - simplex.vertices[vertex[0]].w;
   }
   return perpendicular<R, D>(edges);
 }
@@ -177,7 +178,7 @@ void set_weights(std::array<R, D + 1>& weights, Face face, const Barycentric<R, 
   const FaceVertices& in_face = vertices_of(face);
   weights.fill(R(0));
   if (in_face.count == 1) {
-    weights[in_face.index[0]] = R(1);
+    weights[in_face[0]] = R(1);
     return;
   }
   R divisor = coordinates.denominator;
@@ -193,13 +194,9 @@ template <class R, int D>
 [[nodiscard]] Vec<R, D> weighted_point(const Simplex<R, D>& simplex, Face face,
                                        const std::array<R, D + 1>& weights) {
   const FaceVertices& in_face = vertices_of(face);
-  if (in_face.count == 1) return simplex.vertices[in_face.index[0]].w;
+  if (in_face.count == 1) return simplex.vertices[in_face[0]].w;
   Vec<R, D> point = Vec<R, D>::Zero();
-  for (const int i : in_face) {
-    for (int k = 0; k < D; ++k) {
-      point[k] = point[k] + R(weights[i] * simplex.vertices[i].w[k]);
-    }
-  }
+  for (const int i : in_face) point = point + Vec<R, D>(simplex.vertices[i].w * weights[i]);
   return point;
 }
 

@@ -44,8 +44,7 @@ struct State {
   SupportPoint<R, D> support;       ///< Farthest point of Z along d.
   R support_value = R(0);           ///< dot(d, support.w)
 
-  Evidence<R, D> evidence;  ///< Read by the certificate; the walk reads best_sq alone, to be sure
-                            ///< that P came nearer.
+  Evidence<R, D> evidence;  ///< Read by the certificate; the walk asks it whether P came nearer.
   StopReason stop = StopReason::running;
   Error error = Error::none;
 };

@@ -3,6 +3,7 @@
 // multiply-add, so that every compiler and build type decides the same.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 
 #include "gjk/proof/scalar.hpp"
@@ -34,7 +35,6 @@ template <class S>
 /// D! times the signed volume of the simplex (O, columns[0], ..., columns[D-1]).
 template <class S, int D>
 [[nodiscard]] S determinant(const std::array<Vec<S, D>, D>& columns) {
-  static_assert(D == 2 || D == 3, "written out for the plane and for space");
   if constexpr (D == 2) {
     return cross(columns[0], columns[1]);
   } else {
@@ -47,7 +47,6 @@ template <class S, int D>
 /// direction"); in space its length is the area of the edges' parallelogram. Its sign is arbitrary.
 template <class S, int D>
 [[nodiscard]] Vec<S, D> perpendicular(const std::array<Vec<S, D>, D - 1>& edges) {
-  static_assert(D == 2 || D == 3, "written out for the plane and for space");
   if constexpr (D == 2) {
     return Vec<S, 2>(edges[0][1], -edges[0][0]);
   } else {
@@ -88,9 +87,7 @@ template <class S, int D>
 
 template <class S, int D>
 [[nodiscard]] bool is_zero(const Vec<S, D>& a) {
-  for (int i = 0; i < D; ++i) {
-    if (a[i] != S(0)) return false;
-  }
-  return true;
+  return std::all_of(a.data(), a.data() + D, [](const S& entry) { return entry == S(0); });
 }
+
 }  // namespace gjk

@@ -238,7 +238,7 @@ std::vector<gjk::RegionTerm<double>> SimplexWords::terms(
   const gjk::FaceList order = gjk::tested_faces(simplex_.count, gjk::RegionOrder::vertices_first);
   const auto place = [&](const gjk::RegionTerm<double>& term) {
     int i = 0;
-    while (order.faces[i] != term.face) ++i;
+    while (order[i] != term.face) ++i;
     const std::vector<int> named = this->order(term.face);
     return std::pair(i, std::find(named.begin(), named.end(), term.vertex) - named.begin());
   };

@@ -86,11 +86,15 @@ TEST(inside, "O is surely inside when every area is larger than its rounding can
 
 TEST(at_origin, "weights put P at O when it is as close as two roundings of the vertices") {
   const double most = 4 * kDoubleU;
-  CHECK(gjk::is_at_origin(simplex_of<double>({{-1, 2}, {1, -2}})));
-  CHECK(gjk::is_at_origin(simplex_of<double>({{-1, 2 + 2 * most}, {1, -2}})));
-  CHECK(!gjk::is_at_origin(simplex_of<double>({{-1, 2 + 4 * most}, {1, -2}})));
-  CHECK(gjk::is_at_origin(simplex_of<double>({{-2, 2 * most}, {2, 0}})));
-  CHECK(!gjk::is_at_origin(simplex_of<double>({{-2, 2.0001 * most}, {2, 0}})));
+  const auto is_at_origin = [](const std::vector<Vec<double, 2>>& points) {
+    const gjk::Simplex<double, 2> simplex = simplex_of<double>(points);
+    return gjk::is_at_origin(simplex, simplex.weights, 2);
+  };
+  CHECK(is_at_origin({{-1, 2}, {1, -2}}));
+  CHECK(is_at_origin({{-1, 2 + 2 * most}, {1, -2}}));
+  CHECK(!is_at_origin({{-1, 2 + 4 * most}, {1, -2}}));
+  CHECK(is_at_origin({{-2, 2 * most}, {2, 0}}));
+  CHECK(!is_at_origin({{-2, 2.0001 * most}, {2, 0}}));
 }
 
 TEST(room,

@@ -4,7 +4,7 @@
 #include "gjk/proof/prepare.hpp"
 
 #include "check.hpp"
-#include "gjk/proof/expansion.hpp"
+#include "gjk/proof/error_free.hpp"
 #include "gjk/support.hpp"
 #include "study/families.hpp"
 

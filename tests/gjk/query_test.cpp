@@ -12,7 +12,7 @@
 
 #include "check.hpp"
 #include "gjk/gjk.hpp"
-#include "gjk/proof/expansion.hpp"
+#include "gjk/proof/error_free.hpp"
 
 namespace query_test {
 

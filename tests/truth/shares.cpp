@@ -176,17 +176,17 @@ void measure_feet(const Run<D>& run, Shares<D>& shares) {
   const Rational exact_sq = distance_sq(truth);
   gjk::OutsideBounds<double, double, D> bounds(end, run.query, run.trace.prepared, face);
   bounds.measure();
-  if (bounds.is_inside()) {
-    shares.foot.add(beyond_root(bounds.foot().distance, exact_sq), bounds.error());
+  if (bounds.is_inside) {
+    shares.foot.add(beyond_root(bounds.foot.distance, exact_sq), bounds.error);
     for (int i = 0; face.count > 1 && i < face.count; ++i) {
       const Rational weight = coordinates.numerator[i] / coordinates.denominator;
-      shares.inside.add(to_double(Rational(face.weights[i]) - weight) * bounds.foot().height,
-                        bounds.beyond());
+      shares.inside.add(to_double(Rational(face.weights[i]) - weight) * bounds.foot.height,
+                        bounds.beyond);
     }
   }
   bounds.measure_anew();
-  if (bounds.foot().height > 0.0)
-    shares.careful.add(beyond_root(bounds.foot().distance, exact_sq), bounds.error());
+  if (bounds.foot.height > 0.0)
+    shares.careful.add(beyond_root(bounds.foot.distance, exact_sq), bounds.error);
   using Traits = gjk::ScalarTraits<double>;
   const double p_sq = end.evidence.best_sq;
   shares.root.add(beyond_root(Traits::root(p_sq), Rational(p_sq)),

@@ -7,7 +7,6 @@
 // verdict is exact.
 
 #include "gjk/proof/settle.hpp"
-#include "gjk/proof/witness.hpp"
 
 namespace gjk {
 namespace detail {
@@ -33,15 +32,13 @@ template <class R, class S, int D>
     if (R(0) < bounds.lower) out.verdict = Verdict::separated;
     tight = !by_itself || outside.is_tight();
   }
-  constexpr bool kCanSettle = std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits;
-  if constexpr (kCanSettle) {
-    const bool settles = options.proof == Proof::exact && ended;
-    if (settles && (out.verdict == Verdict::undecided || !tight)) {
-      settle(query, prepared, out, bounds);
-    }
+  if constexpr (std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
+    const bool is_open = out.verdict == Verdict::undecided || !tight;
+    if (is_open && ended && options.proof == Proof::exact) settle(query, prepared, out, bounds);
   }
   // In a thin simplex the run's own weights may put P beside O.
-  if (out.simplex.count == D + 1 && !out.settled && !is_at_origin(out.simplex)) {
+  if (out.simplex.count == D + 1 && !out.settled &&
+      !is_at_origin(out.simplex, out.simplex.weights, 2)) {
     out.simplex.weights = weights_of<R>(careful_simplex(out.simplex, query, prepared));
   }
   return bounds;
@@ -86,6 +83,76 @@ void set_floating_answer(const State<R, D>& state, const Query<S, D>& query, con
 }
 
 }  // namespace detail
+
+/// The point from + beyond of a shape's frame in the world, computed with about twice the digits:
+/// far from the frame's origin a rotation can round by more than the size of Z.
+template <class R, class S, int D>
+[[nodiscard, gnu::noinline]] Vec<R, D> careful_world_point(const Pose<S, D>& pose,
+                                                           const Vec<R, D>& from,
+                                                           const Vec<R, D>& beyond, int exponent) {
+  using Word = DoubleWord<R>;
+  const R unit = ScalarTraits<R>::scaled(R(1), std::min(-exponent, 0));  // 1 if small
+  Vec<Word, D> local;
+  for (int k = 0; k < D; ++k) local[k] = exact_sum(R(from[k] * unit), R(beyond[k] * unit));
+  const Vec<R, D> place = converted<R, S, D>(pose.translation) * unit;
+  const Vec<Word, D> world = pose.template rotated<Word>(local) + converted<Word, R, D>(place);
+  return scaled<R, D>(converted<R, Word, D>(world), std::max(exponent, 0));
+}
+
+/// The weighted point of one shape, in the world. It is the vertex of the largest weight plus a
+/// weighted sum of differences, so that little rounds but the last addition.
+template <class R, class S, int D>
+[[nodiscard]] Vec<R, D> witness_point(const Simplex<R, D>& simplex, const Shape<S, D>& shape,
+                                      int VertexPair::*index, const Prepared<R, D>& prepared) {
+  using W = RunScalar<Default, R>;
+  int base = 0;
+  for (int i = 1; i < simplex.count; ++i) {
+    if (simplex.weights[base] < simplex.weights[i]) base = i;
+  }
+  const auto vertex = [&](int i) -> decltype(auto) {
+    return converted<W, S, D>(shape.vertices()[simplex.vertices[i].pair.*index]);
+  };
+  const auto& from = vertex(base);
+  Vec<W, D> beyond = Vec<W, D>::Zero();
+  for (int i = 0; i < simplex.count; ++i) {
+    if (i == base) continue;
+    const W weight = ScalarTraits<W>::from(simplex.weights[i]);
+    beyond = beyond + Vec<W, D>((vertex(i) - from) * weight);
+  }
+  if constexpr (std::is_same_v<W, R> && !ScalarTraits<R>::kExact) {
+    if (shape.pose.rotation.turns() && prepared.centred) {
+      return careful_world_point<R>(shape.pose, from, beyond, prepared.exponent);
+    }
+  }
+  const Vec<W, D> from_origin = shape.pose.template rotated<W>(from + beyond);
+  return converted<R, W, D>(from_origin + converted<W, S, D>(shape.pose.translation));
+}
+
+/// Sets both witness points, the points of X and Y nearest to each other, in the world (Catto 2010,
+/// slide "Witness points"). When shapes meet, both are one point, and rounding must not set them
+/// apart: it is their midpoint, or the one that is a vertex.
+template <class R, class S, int D>
+void set_witness_points(Result<R, D>& out, const Query<S, D>& query,
+                        const Prepared<R, D>& prepared) {
+  const Simplex<R, D>& simplex = out.simplex;
+  out.x = witness_point(simplex, query.x, &VertexPair::x, prepared);
+  out.y = witness_point(simplex, query.y, &VertexPair::y, prepared);
+  if constexpr (!ScalarTraits<R>::kExact) {
+    if (out.verdict != Verdict::overlapping && out.verdict != Verdict::touching) return;
+    bool one_x = true;
+    bool one_y = true;
+    for (int i = 1; i < simplex.count; ++i) {
+      one_x = one_x && simplex.vertices[i].pair.x == simplex.vertices[0].pair.x;
+      one_y = one_y && simplex.vertices[i].pair.y == simplex.vertices[0].pair.y;
+    }
+    if (one_y) {
+      out.x = out.y;
+    } else if (!one_x) {
+      out.x = out.x + Vec<R, D>((out.y - out.x) * ScalarTraits<R>::from(0.5));
+    }
+    out.y = out.x;
+  }
+}
 
 /// The answer of a state; before the run has ended, the best answer so far.
 template <class R, class S, int D>

@@ -4,47 +4,20 @@
 
 #include <array>
 
-#include "gjk/proof/expansion.hpp"
 #include "gjk/proof/prepare.hpp"
 #include "gjk/simplex.hpp"
 
 namespace gjk {
 
-/// A number or vector of more digits, rounded to R.
-template <class R>
-[[nodiscard]] R rounded(const R& value) {
-  return value;
-}
-template <class R>
-[[nodiscard]] R rounded(const Expansion& value) {
-  return value.estimate<R>();
-}
-template <class R>
-[[nodiscard]] R rounded(const DoubleWord<R>& value) {
-  return value.hi;
-}
-template <class R, class N, int D>
-[[nodiscard]] Vec<R, D> rounded(const Vec<N, D>& a) {
-  Vec<R, D> out;
-  for (int i = 0; i < D; ++i) out[i] = rounded<R>(a[i]);
-  return out;
-}
-
 /// The simplex with its vertices of Z computed anew from the given ones, in the run's unit.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Simplex<DoubleWord<R>, D> careful_simplex(
     const Simplex<R, D>& simplex, const Query<S, D>& query, const Prepared<R, D>& prepared) {
-  using Word = DoubleWord<R>;
-  const auto in_unit = [&](const Vec<S, D>& a) {
-    Vec<Word, D> out;
-    for (int k = 0; k < D; ++k) out[k] = Word(ScalarTraits<R>::from(a[k]) * prepared.unit);
-    return out;
-  };
   const auto turned = [&](const Shape<S, D>& shape, int i) {
-    return shape.pose.template rotated<Word>(in_unit(shape.vertices()[i]));
+    return detail::careful_point<R, S, D>(shape, converted<R, S, D>(shape.vertices()[i]), prepared);
   };
-  const Vec<Word, D> offset = in_unit(query.y.pose.translation) - in_unit(query.x.pose.translation);
-  Simplex<Word, D> out;
+  const Vec<DoubleWord<R>, D> offset = detail::offset_of_origins<R, S, D>(query, prepared);
+  Simplex<DoubleWord<R>, D> out;
   out.count = simplex.count;
   for (int i = 0; i < simplex.count; ++i) {
     const VertexPair pair = simplex.vertices[i].pair;
@@ -76,30 +49,30 @@ template <class R, class N, int D>
   Foot<R, D> out;
   const Vec<N, D>& a = simplex.vertices[nearest].w;
   if (simplex.count == 1) {
-    out.d = rounded<R, N, D>(-a);
+    out.d = converted<R, N, D>(-a);
     out.distance = careful_length(out.d);
     out.height = out.distance;
     return out;
   }
   const Vec<N, D> edge = simplex.vertices[1].w - simplex.vertices[0].w;
-  out.longest = careful_length(rounded<R, N, D>(edge));
+  out.longest = careful_length(converted<R, N, D>(edge));
   out.height = out.longest;
   if constexpr (D == 3) {
     if (simplex.count == 2) {
       const Vec<N, D> moment = cross(edge, a);
-      out.d = rounded<R, N, D>(cross(edge, moment));
-      out.distance = careful_length(rounded<R, N, D>(moment)) / out.longest;
+      out.d = converted<R, N, D>(cross(edge, moment));
+      out.distance = careful_length(converted<R, N, D>(moment)) / out.longest;
       return out;
     }
   }
   const Vec<N, D> normal = normal_of(simplex, simplex.all());
-  const R side = rounded<R>(dot(normal, a));
-  const R size = careful_length(rounded<R, N, D>(normal));
-  out.d = rounded<R, N, D>(side < R(0) ? normal : Vec<N, D>(-normal));
+  const R side = ScalarTraits<R>::from(dot(normal, a));
+  const R size = careful_length(converted<R, N, D>(normal));
+  out.d = converted<R, N, D>(side < R(0) ? normal : Vec<N, D>(-normal));
   out.distance = magnitude(side) / size;
   if constexpr (D == 3) {
     const Vec<N, D> other = simplex.vertices[2].w - simplex.vertices[0].w;
-    out.longest = larger(out.longest, careful_length(rounded<R, N, D>(other)));
+    out.longest = larger(out.longest, careful_length(converted<R, N, D>(other)));
     out.height = size / out.longest;
   }
   return out;
@@ -113,7 +86,7 @@ template <class R, class N, int D>
   std::array<R, D + 1> weights{};
   R sum(0);
   for (int i = 0; i < simplex.count; ++i) {
-    weights[i] = larger(rounded<R>(coordinates.numerator[i]), R(0));
+    weights[i] = larger(ScalarTraits<R>::from(coordinates.numerator[i]), R(0));
     sum = sum + weights[i];
   }
   for (R& weight : weights) weight = weight / sum;

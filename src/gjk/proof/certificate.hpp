@@ -37,11 +37,8 @@ template <class R, int D>
 template <class R, int D>
 [[nodiscard]] bool surely_inside(const Simplex<R, D>& simplex, const Prepared<R, D>& prepared) {
   const R error = volume_error(largest_coordinate(simplex), prepared);
-  const Barycentric<R, D> coordinates = volume_coordinates(simplex);
-  for (int i = 0; i <= D; ++i) {
-    if (!(error < coordinates.numerator[i])) return false;
-  }
-  return true;
+  const std::array<R, D + 1> volumes = volume_coordinates(simplex).numerator;
+  return std::all_of(volumes.begin(), volumes.end(), [&](const R& v) { return error < v; });
 }
 
 /// An upper bound of the distance from weights that are not negative, however they came about: that
@@ -70,11 +67,9 @@ struct Corners {
   Corners(const Simplex<R, D>& simplex, int VertexPair::*shape) {
     for (int i = 0; i < simplex.count; ++i) {
       const int found = simplex.vertices[i].pair.*shape;
-      if (!has(found)) index[count++] = found;
+      const auto end = index.begin() + count;
+      if (std::find(index.begin(), end, found) == end) index[count++] = found;
     }
-  }
-  [[nodiscard]] bool has(int i) const {
-    return std::find(index.begin(), index.begin() + count, i) != index.begin() + count;
   }
 };
 
@@ -154,69 +149,68 @@ class OutsideBounds {
   /// that rounding misled it.
   [[nodiscard]] Bounds<R> prove(bool ended) {
     measure();
-    near_ = R(kNear) * foot_.distance < prepared_.reach;
+    near_ = R(kNear) * foot.distance < prepared_.reach;
     const bool is_wide = !(upper_ < no_bound()) || (ended && !is_allowed());
     if (near_ || is_wide || is_too_rounded()) measure_anew();
     if ((near_ || is_wide) && is_certainly_farthest()) {
-      lower_ = larger(R(foot_.distance - error_), lower_);
+      lower_ = larger(R(foot.distance - error), lower_);
     }
-    const R distance = larger(foot_.distance, lower_);
+    const R distance = larger(foot.distance, lower_);
     return {lower_, distance, larger(distance, upper_)};
   }
 
   /// True when the bounds are as close as rounding permits; false when rounding misled the run.
   [[nodiscard]] bool is_tight() const {
-    return is_allowed() && (!near_ || upper_ - lower_ <= R(4) * error_);
+    return is_allowed() && (!near_ || upper_ - lower_ <= R(4) * error);
   }
 
   /// Computes distance, error and upper bound in the run's own digits.
   void measure() {
-    foot_ = foot_of<R>(face_, nearest_);
-    error_ = prepared_.vertex_error + length_rounding(foot_.distance);
+    foot = foot_of<R>(face_, nearest_);
+    error = prepared_.vertex_error + length_rounding(foot.distance);
     if (face_.count > 1) {
       const R of_vertices = vertex_error();
-      const R flatness = foot_.longest / foot_.height;
-      error_ = error_ + u_ * (size_ + R(kEdgeRoundings<D>) * to_nearest_ * flatness);
-      const R angle = R(2) * u_ + R(2) * of_vertices / foot_.height;
-      beyond_ =
-          of_vertices + R(kWeightRoundings<D>) * u_ * size_ * flatness + angle * foot_.distance;
+      const R flatness = foot.longest / foot.height;
+      error = error + u_ * (size_ + R(kEdgeRoundings<D>) * to_nearest_ * flatness);
+      const R angle = R(2) * u_ + R(2) * of_vertices / foot.height;
+      beyond = of_vertices + R(kWeightRoundings<D>) * u_ * size_ * flatness + angle * foot.distance;
       for (int i = 0; i < face_.count; ++i) {
-        is_inside_ = is_inside_ && beyond_ < foot_.height * face_.weights[i];
+        is_inside = is_inside && beyond < foot.height * face_.weights[i];
       }
     }
-    upper_ = is_inside_ ? R(foot_.distance + error_) : no_bound();
+    upper_ = is_inside ? R(foot.distance + error) : no_bound();
   }
 
   /// As `measure`, with about twice the digits; replaces weights that may be too inexact.
   [[gnu::noinline]] void measure_anew() {
     const Simplex<DoubleWord<R>, D> face = careful_simplex(face_, query_, prepared_);
-    foot_ = foot_of<R>(face);
-    if (!(R(0) < foot_.height)) {  // a degenerate face: its nearest vertex takes its place
-      foot_.distance = to_nearest_;
-      error_ = vertex_error() + length_rounding(to_nearest_) + least();
-      upper_ = to_nearest_ + error_;
+    foot = foot_of<R>(face);
+    if (!(R(0) < foot.height)) {  // a degenerate face: its nearest vertex takes its place
+      foot.distance = to_nearest_;
+      error = vertex_error() + length_rounding(to_nearest_) + least();
+      upper_ = to_nearest_ + error;
       return;
     }
     const R few = R(kCarefulRoundings) * u_;
-    R to_p = foot_.distance;
-    if (!is_inside_ || R(kThin) * foot_.height < foot_.longest) {
+    R to_p = foot.distance;
+    if (!is_inside || R(kThin) * foot.height < foot.longest) {
       face_.weights = weights_of<R>(face);
-      if (!is_inside_) to_p = larger(to_p, distance_of_p(face));
+      if (!is_inside) to_p = larger(to_p, distance_of_p(face));
     }
     R moved = careful_error();
     if (face.count > 1) {
-      const R beside_sq = (to_p - foot_.distance) * (to_p + foot_.distance);
-      moved = moved * (foot_.longest + ScalarTraits<R>::root(beside_sq)) / foot_.height;
+      const R beside_sq = (to_p - foot.distance) * (to_p + foot.distance);
+      moved = moved * (foot.longest + ScalarTraits<R>::root(beside_sq)) / foot.height;
     }
-    error_ = few * foot_.distance + moved;
+    error = few * foot.distance + moved;
     upper_ = to_p * (R(1) + few) + moved;
   }
 
   // Results of `measure` and `measure_anew`.
-  [[nodiscard]] const Foot<R, D>& foot() const { return foot_; }
-  [[nodiscard]] const R& error() const { return error_; }
-  [[nodiscard]] const R& beyond() const { return beyond_; }
-  [[nodiscard]] bool is_inside() const { return is_inside_; }
+  Foot<R, D> foot;        ///< The foot of the perpendicular from O to the face's line or plane.
+  R error = R(0);         ///< Bound of the error of foot.distance.
+  R beyond = R(0);        ///< Bound of the error of a weight times the height.
+  bool is_inside = true;  ///< The foot certainly lies on the face.
 
  private:
   /// The distance of O from the point that the weights make of `face`.
@@ -224,12 +218,10 @@ class OutsideBounds {
     const Vec<DoubleWord<R>, D>& a = face.vertices[0].w;
     Vec<DoubleWord<R>, D> p = a;
     for (int i = 1; i < face.count; ++i) {
-      const R weight = face_.weights[i] * (R(1) - R(4) * u_);  // so that the sum is less than 1
-      for (int k = 0; k < D; ++k) {
-        p[k] = p[k] + DoubleWord<R>(weight) * (face.vertices[i].w[k] - a[k]);
-      }
+      const DoubleWord<R> weight = face_.weights[i] * (R(1) - R(4) * u_);  // their sum is below 1
+      p = p + Vec<DoubleWord<R>, D>((face.vertices[i].w - a) * weight);
     }
-    return careful_length(rounded<R, DoubleWord<R>, D>(p));
+    return careful_length(converted<R, DoubleWord<R>, D>(p));
   }
 
   /// The rounding of denormal lengths: only half needs it, since every unit leaves it some of them.
@@ -255,7 +247,7 @@ class OutsideBounds {
     return most;
   }
   [[nodiscard]] bool is_allowed() const {
-    const bool is_close = D == 3 && R(kCloseInSpace) * foot_.distance < prepared_.reach;
+    const bool is_close = D == 3 && R(kCloseInSpace) * foot.distance < prepared_.reach;
     const R allowed = ScalarTraits<R>::from(is_close ? kAllowedWidth / 2 : kAllowedWidth) * u_;
     const R width = upper_ - lower_;
     return width <= allowed * larger(prepared_.least_reach, size_) ||
@@ -263,36 +255,32 @@ class OutsideBounds {
   }
   [[nodiscard]] bool is_too_rounded() const {
     const bool gains = prepared_.same_frame || D == 3;
-    return (gains && R(kQuiteNear) * foot_.distance < prepared_.reach) ||
-           (face_.count > 1 && prepared_.reach < R(kFarFromEdge) * foot_.distance);
+    return (gains && R(kQuiteNear) * foot.distance < prepared_.reach) ||
+           (face_.count > 1 && prepared_.reach < R(kFarFromEdge) * foot.distance);
   }
   /// True when certainly no vertex of Z outside the face lies as far along the direction to O. The
   /// face's own vertices lie equally far, because pairs that share one join all of them.
   [[nodiscard]] bool is_certainly_farthest() const {
     const Corners of_x(face_, &VertexPair::x);
     const Corners of_y(face_, &VertexPair::y);
-    if (of_x.count + of_y.count != face_.count + 1 || !(R(0) < foot_.height)) return false;
+    if (of_x.count + of_y.count != face_.count + 1 || !(R(0) < foot.height)) return false;
     const bool is_space_edge = D == 3 && face_.count == 2;  // d is the product of two products
-    const R lever = is_space_edge ? smaller(foot_.height, foot_.distance) : foot_.height;
+    const R lever = is_space_edge ? smaller(foot.height, foot.distance) : foot.height;
     // In one frame d is a sum of vertices, and sums in twice the digits are exact.
     const bool is_sum = prepared_.same_frame && (D == 2 || face_.count == 1);
     const R angle = R(4) * u_ + (is_sum ? R(0) : R(R(4) * careful_error() / lever));
-    const R error = length(foot_.d) * prepared_.scan_error_within(angle);
-    return are_alone(Vec<R, D>(-foot_.d), query_.x, prepared_, prepared_.x, of_x, error) &&
-           are_alone(foot_.d, query_.y, prepared_, prepared_.y, of_y, error);
+    const R scan_error = length(foot.d) * prepared_.scan_error_within(angle);
+    return are_alone(Vec<R, D>(-foot.d), query_.x, prepared_, prepared_.x, of_x, scan_error) &&
+           are_alone(foot.d, query_.y, prepared_, prepared_.y, of_y, scan_error);
   }
 
   const Query<S, D>& query_;
   const Prepared<R, D>& prepared_;
   Simplex<R, D>& face_;
   R u_ = ScalarTraits<R>::unit_roundoff();
-  R size_ = R(0);          ///< The distance from O to the farthest vertex of the face.
-  int nearest_ = 0;        ///< The vertex of the face that is nearest to O.
-  R to_nearest_ = R(0);    ///< The distance from O to that vertex.
-  Foot<R, D> foot_;        ///< The foot of the perpendicular from O to the face's line or plane.
-  R error_ = R(0);         ///< Bound of the error of foot_.distance.
-  R beyond_ = R(0);        ///< Bound of the error of a weight times the height.
-  bool is_inside_ = true;  ///< The foot certainly lies on the face.
+  R size_ = R(0);        ///< The distance from O to the farthest vertex of the face.
+  int nearest_ = 0;      ///< The vertex of the face that is nearest to O.
+  R to_nearest_ = R(0);  ///< The distance from O to that vertex.
   R lower_ = R(0);
   R upper_ = R(0);
   bool near_ = false;

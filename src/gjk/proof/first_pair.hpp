@@ -5,21 +5,6 @@
 
 namespace gjk {
 
-/// A shape's numbers in double.
-template <int D>
-struct InDouble {
-  std::vector<Vec<double, D>> points;
-  Pose<double, D> pose;
-
-  template <class S>
-  explicit InDouble(const Shape<S, D>& shape)
-      : pose{Rotation<double, D>(shape.pose.rotation.matrix().template cast<double>()),
-             converted<double, S, D>(shape.pose.translation)} {
-    for (const Vec<S, D>& point : shape.vertices())
-      points.push_back(converted<double, S, D>(point));
-  }
-};
-
 /// The pair that a run starts from when it is given none: the support point of Z along the line
 /// between the centres of the shapes. It is chosen in double, whatever the run computes in, so that
 /// runs of one query start alike in every scalar. Only queries that double cannot hold choose for
@@ -30,9 +15,13 @@ template <class R, class S, int D>
     return farthest_pair(asked, in, (-in.offset).eval());
   };
   if constexpr (ScalarTraits<S>::kExact) {
-    const InDouble<D> x(query.x);
-    const InDouble<D> y(query.y);
-    const Query<double, D> in_double{{x.points, x.pose}, {y.points, y.pose}};
+    std::array<std::vector<Vec<double, D>>, 2> points;
+    const auto shape = [](const Shape<S, D>& exact, std::vector<Vec<double, D>>& rounded) {
+      for (const Vec<S, D>& point : exact.vertices()) rounded.push_back(converted<double>(point));
+      return Shape<double, D>(rounded, {exact.pose.rotation.matrix().template cast<double>(),
+                                        converted<double>(exact.pose.translation)});
+    };
+    const Query<double, D> in_double{shape(query.x, points[0]), shape(query.y, points[1])};
     const Prepared<double, D> doubles = prepare<double>(in_double, {});
     if (doubles.error == Error::none) return chosen(in_double, doubles);
   } else if constexpr (!std::is_same_v<R, double> &&

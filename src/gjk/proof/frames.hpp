@@ -42,15 +42,10 @@ struct Frames {
 
   /// A vector, given in the query's unit, in the run's unit.
   [[nodiscard]] Vec<R, D> in_unit(const Vec<R, D>& a) const {
-    Vec<R, D> out;
-    for (int i = 0; i < D; ++i) {
-      if constexpr (ScalarTraits<R>::kExact) {
-        out[i] = ScalarTraits<R>::scaled(a[i], -exponent);
-      } else {
-        out[i] = a[i] * unit;
-      }
-    }
-    return out;
+    if constexpr (ScalarTraits<R>::kExact)
+      return scaled(a, -exponent);
+    else
+      return a * unit;
   }
 };
 
@@ -81,23 +76,23 @@ template <class R, class S, int D>
   return out;
 }
 
+/// A point of a shape's frame in world axes and the run's unit, with about twice the digits.
+template <class R, class S, int D>
+[[nodiscard]] Vec<DoubleWord<R>, D> careful_point(const Shape<S, D>& shape, const Vec<R, D>& local,
+                                                  const Frames<R, D>& frames) {
+  using Word = DoubleWord<R>;
+  return shape.pose.template rotated<Word>(converted<Word, R, D>(frames.in_unit(local)));
+}
+
 /// From the centre of X to that of Y, computed with about twice the digits and rounded once.
 template <class R, class S, int D>
 [[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
                                                          const Frames<R, D>& frames) {
   // In one frame vertices of Z are made without it: it only gives the start and the reach of Z.
   if (frames.same_frame) return frames.in_unit(frames.y.centre - frames.x.centre);
-  const Vec<DoubleWord<R>, D> origins = offset_of_origins(query, frames);
-  const auto turned = [&](const Shape<S, D>& shape, const Vec<R, D>& centre) {
-    Vec<DoubleWord<R>, D> in_unit;
-    for (int i = 0; i < D; ++i) in_unit[i] = DoubleWord<R>(centre[i] * frames.unit);
-    return shape.pose.template rotated<DoubleWord<R>>(in_unit);
-  };
-  const Vec<DoubleWord<R>, D> x = turned(query.x, frames.x.centre);
-  const Vec<DoubleWord<R>, D> y = turned(query.y, frames.y.centre);
-  Vec<R, D> out;
-  for (int i = 0; i < D; ++i) out[i] = (origins[i] + (y[i] - x[i])).hi;
-  return out;
+  const Vec<DoubleWord<R>, D> x = careful_point(query.x, frames.x.centre, frames);
+  const Vec<DoubleWord<R>, D> y = careful_point(query.y, frames.y.centre, frames);
+  return converted<R, DoubleWord<R>, D>(offset_of_origins(query, frames) + (y - x));
 }
 
 /// Sets the unit 2^exponent, the frames and the offset between them.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "gjk/proof/ring.hpp"
+#include "gjk/vector.hpp"
 
 namespace gjk {
 
@@ -28,13 +28,92 @@ template <class S, int D>
   for (int i = 0; i < D; ++i) largest = larger(largest, magnitude(S(a[i])));
   return largest;
 }
-template <class S, int D>
-[[nodiscard]] bool is_finite(const Vec<S, D>& a) {
-  for (int i = 0; i < D; ++i) {
-    if (!ScalarTraits<S>::is_finite(a[i])) return false;
-  }
-  return true;
+/// True when no entry of a vector or matrix is a NaN or an infinity.
+template <class S, int rows, int columns>
+[[nodiscard]] bool is_finite(const Eigen::Matrix<S, rows, columns>& a) {
+  return std::all_of(a.data(), a.data() + a.size(), ScalarTraits<S>::is_finite);
 }
+
+/// a * 2^exponent.
+template <class S, int D>
+[[nodiscard]] Vec<S, D> scaled(const Vec<S, D>& a, int exponent) {
+  Vec<S, D> out;
+  for (int i = 0; i < D; ++i) out[i] = ScalarTraits<S>::scaled(a[i], exponent);
+  return out;
+}
+
+/// Convex polygons of at least so many vertices are climbed, not scanned. core-compare in
+/// tests/bench times both at 1,024 vertices.
+inline constexpr std::size_t kRingFrom = 32;
+
+namespace detail {
+
+/// True when all turns go the same way beyond rounding, and the edges go round once. Needs two
+/// points. A turn is left - right: edges round once each, products once, their difference once, by
+/// 4 u (|left| + |right|) in all; twice as much is demanded.
+template <class S>
+[[nodiscard]] bool is_strictly_convex_ring(std::span<const Vec<S, 2>> points) {
+  const auto goes_up = [](const Vec<S, 2>& edge) {
+    return S(0) < edge[1] || (edge[1] == S(0) && S(0) < edge[0]);
+  };
+  const std::size_t count = points.size();
+  std::size_t left_turns = 0;
+  int crossings = 0;
+  Vec<S, 2> before = points[count - 1] - points[count - 2];
+  bool went_up = goes_up(before);
+  Vec<S, 2> from = points[count - 1];
+  for (const Vec<S, 2>& point : points) {
+    const Vec<S, 2> edge = point - from;
+    const S left = before[0] * edge[1];
+    const S right = before[1] * edge[0];
+    const S rounding =
+        S(8) * ScalarTraits<S>::unit_roundoff() * (magnitude(left) + magnitude(right));
+    if (!(rounding < magnitude(S(left - right))) || !(S(0) < rounding)) return false;
+    const bool is_up = goes_up(edge);
+    left_turns += right < left ? 1 : 0;
+    crossings += is_up != went_up ? 1 : 0;
+    before = edge;
+    went_up = is_up;
+    from = point;
+  }
+  return crossings == 2 && (left_turns == 0 || left_turns == count);
+}
+
+/// The farthest vertex so far; of equal ones the one of lowest index.
+template <class R>
+struct Farthest {
+  int index = -1;
+  R value = R(0);
+
+  bool offer(int i, const R& offered) {
+    const bool improves = index < 0 || value < offered || (value == offered && i < index);
+    if (improves) *this = {i, offered};
+    return improves;
+  }
+};
+
+/// The vertex of a convex ring that lies farthest, of equal ones the first. Along a direction the
+/// vertices rise to one summit and fall to one valley: from the best of some samples the search
+/// goes both ways until the fall exceeds `rounding`, the error of a difference of two values: then
+/// it has seen every vertex as high as that sample.
+template <class R, class Along>
+[[nodiscard, gnu::noinline]] int climb(int count, const Along& along, const R& rounding) {
+  int stride = 1;
+  while (stride * stride < count) stride *= 2;
+  Farthest<R> farthest;
+  for (int i = 0; i < count; i += stride) farthest.offer(i, along(i));
+  const int summit = farthest.index;
+  for (const int towards : {1, count - 1}) {
+    for (int i = (summit + towards) % count; i != summit; i = (i + towards) % count) {
+      const R value = along(i);
+      farthest.offer(i, value);
+      if (value < farthest.value - rounding) break;
+    }
+  }
+  return farthest.index;
+}
+
+}  // namespace detail
 
 /// In the shape's own frame and unit. For exact scalars all members keep their defaults.
 template <class S, int D>
@@ -62,12 +141,10 @@ template <class S, int D>
   const S size = norm_max(a);
   if (size == S(0)) return size;
   const int exponent = ScalarTraits<S>::exponent(size);
-  Vec<S, D> in_unit;
-  for (int i = 0; i < D; ++i) in_unit[i] = ScalarTraits<S>::scaled(a[i], -exponent);
-  return ScalarTraits<S>::scaled(length(in_unit), exponent);
+  return ScalarTraits<S>::scaled(length(scaled(a, -exponent)), exponent);
 }
 
-/// a * 2^exponent, but rounded up where it is denormal and rounds.
+/// a * 2^exponent, but rounded up, or down, where it is denormal and rounds.
 template <class R>
 [[nodiscard]] R scaled_above(const R& a, int exponent) {
   if (exponent == 0) [[likely]]
@@ -76,12 +153,9 @@ template <class R>
   const bool below = ScalarTraits<R>::scaled(out, -exponent) < a;
   return below ? R(out + std::numeric_limits<R>::denorm_min()) : out;
 }
-/// a * 2^exponent, but rounded down where it is denormal and rounds.
 template <class R>
 [[nodiscard]] R scaled_below(const R& a, int exponent) {
-  const R out = ScalarTraits<R>::scaled(a, exponent);
-  const bool above = a < ScalarTraits<R>::scaled(out, -exponent);
-  return above ? R(out - std::numeric_limits<R>::denorm_min()) : out;
+  return -scaled_above(R(-a), exponent);
 }
 
 namespace detail {
@@ -100,9 +174,8 @@ void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, 
   Vec<S, D> sum = Vec<S, D>::Zero();
   for (const Vec<S, D>& point : points) {
     Vec<S, D> from_centre = point - centre;
-    if (exponent != 0) [[unlikely]] {
-      for (int i = 0; i < D; ++i) from_centre[i] = Traits::scaled(from_centre[i], -exponent);
-    }
+    if (exponent != 0) [[unlikely]]
+      from_centre = scaled(from_centre, -exponent);
     radius_sq = larger(radius_sq, dot(from_centre, from_centre));
     sum = sum + from_centre;
   }

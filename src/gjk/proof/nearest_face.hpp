@@ -38,6 +38,14 @@ template <class R, int D>
   return size;
 }
 
+/// True when the simplex's weights put P at O, up to so many roundings of its largest coordinate.
+template <class R, int D>
+[[nodiscard]] bool is_at_origin(const Simplex<R, D>& simplex, const std::array<R, D + 1>& weights,
+                                int roundings) {
+  const R rounding = R(roundings) * ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
+  return !(rounding < norm_max(weighted_point(simplex, simplex.all(), weights)));
+}
+
 /// True when the weights of a full simplex put P at O up to rounding. When false, the simplex is so
 /// thin that its volumes, and their signs, may be rounding errors. A weight errs by the D roundings
 /// of the sum of all volumes and its own quotient, a coordinate of P by a product and D sums: 2 D +
@@ -50,9 +58,7 @@ template <class R, int D>
   } else {
     std::array<R, D + 1> weights{};
     set_weights(weights, simplex.all(), coordinates);
-    const R rounding =
-        R(4 * D + 4) * ScalarTraits<R>::unit_roundoff() * largest_coordinate(simplex);
-    return !(rounding < norm_max(weighted_point(simplex, simplex.all(), weights)));
+    return is_at_origin(simplex, weights, 4 * D + 4);
   }
 }
 

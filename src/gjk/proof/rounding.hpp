@@ -3,10 +3,9 @@
 //
 //   fl(a op b) = (a op b)(1 + e) with |e| <= u, for op in + - * / and the square root,
 //
-// to the first order in u (Higham 2002, "Accuracy and Stability of Numerical
-// Algorithms", 2.2, 3.1): a bound adds the worst of all roundings with one sign, which no run comes
-// near, while terms of order u^2 are smaller by a factor of u. A product with a power of two does
-// not round. Below,
+// to the first order in u (Higham 2002, "Accuracy and Stability of Numerical Algorithms", 2.2 and
+// 3.1): a bound adds the worst of all roundings with one sign, which no run comes near, while terms
+// of order u^2 are smaller by a factor of u. A product with a power of two does not round. Below,
 // |.| of a vector is its length, and of a matrix that of its entries one by one.
 //
 //   dot(a, b)     D u |a||b|: a product rounds once, and at most D - 1 sums follow it.

@@ -51,7 +51,10 @@ struct ScalarTraits {
 
   /// u, the largest relative error of one rounded operation. Made from the digits because Eigen 3.4
   /// gives half a wrong epsilon (2^-13, not 2^-10).
-  [[nodiscard]] static S unit_roundoff() { return S(kRoundoff); }
+  [[nodiscard]] static S unit_roundoff() {
+    constexpr double kRoundoff = detail::power_of_two(-std::numeric_limits<S>::digits);
+    return S(kRoundoff);
+  }
 
   /// e with 2^e <= a < 2^(e+1), for positive a.
   [[nodiscard]] static int exponent(const S& a) { return std::ilogb(a); }
@@ -64,7 +67,9 @@ struct ScalarTraits {
   /// sums of them stay finite, and lengths down to u^kSmallest times the size lose no digits.
   template <int degree = 2>
   [[nodiscard]] static bool is_in_range(const S& size) {
-    return S(kLeast<degree>) <= size && size <= S(kLargest<degree>);
+    constexpr double kLeast = detail::power_of_two(least_exponent(degree));
+    constexpr double kLargest = detail::power_of_two(largest_exponent(degree));
+    return S(kLeast) <= size && size <= S(kLargest);
   }
   static constexpr int kSmallest = std::numeric_limits<S>::max_exponent < 1024 ? 1 : 3;
   /// These sizes are 2^least_exponent to 2^largest_exponent, limited to what a double can hold.
@@ -75,13 +80,6 @@ struct ScalarTraits {
   [[nodiscard]] static constexpr int largest_exponent(int degree = 2) {
     return std::min((std::numeric_limits<S>::max_exponent - 6) / degree, 1000);
   }
-
- private:
-  static constexpr double kRoundoff = detail::power_of_two(-std::numeric_limits<S>::digits);
-  template <int degree>
-  static constexpr double kLeast = detail::power_of_two(least_exponent(degree));
-  template <int degree>
-  static constexpr double kLargest = detail::power_of_two(largest_exponent(degree));
 };
 
 /// Stands for the scalar in which `distance` and `trace` run by default: the query's, but double

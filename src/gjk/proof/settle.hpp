@@ -13,17 +13,11 @@ namespace gjk {
 template <class R, class S, int D>
 [[nodiscard]] State<R, D> exact_run(const Query<S, D>& query, const Prepared<R, D>& prepared,
                                     const WarmStart& from) {
-  Options options;
-  options.start = from;
+  const Options options{.start = from};
   State<R, D> state = start(query, options, prepared);
   run(state, query, options, prepared);
   return state;
 }
-
-/// True when some support plane of Z passes through O. `state`: the end of an exact run with P = O.
-template <class R, class S, int D>
-[[nodiscard]] bool touches(const State<R, D>& state, const Query<S, D>& query,
-                           const Prepared<R, D>& prepared);
 
 /// `touches` in space, where O lies inside an edge of the simplex. A support plane through O holds
 /// the edge. Seen along the edge, that plane is a line and Z a polygon: a question of the plane.
@@ -47,11 +41,10 @@ template <class R, class S>
   const auto y = all_seen(query.y, prepared.y, prepared.offset);
   const Query<R, 2> flat{{x}, {y}};
   const Prepared<R, 2> flat_prepared = prepare<R>(flat, {});
-  WarmStart anywhere;
-  anywhere.count = 1;
-  return touches(exact_run(flat, flat_prepared, anywhere), flat, flat_prepared);
+  return touches(exact_run(flat, flat_prepared, {{}, 1}), flat, flat_prepared);
 }
 
+/// True when some support plane of Z passes through O. `state`: the end of an exact run with P = O.
 template <class R, class S, int D>
 [[nodiscard]] bool touches(const State<R, D>& state, const Query<S, D>& query,
                            const Prepared<R, D>& prepared) {
@@ -78,10 +71,7 @@ template <class R, class S, int D>
   // O is a vertex of the simplex, which tells nothing of Z around O: start from another vertex.
   const State<R, D> other = looking_along(Vec<R, D>::Unit(0));
   if (other.evidence.touches_plane) return true;
-  WarmStart from;
-  from.count = 1;
-  from.pairs[0] = other.support.pair;
-  return touches(exact_run(query, prepared, from), query, prepared);
+  return touches(exact_run(query, prepared, {{other.support.pair}, 1}), query, prepared);
 }
 
 /// True when no product of an exact run can underflow or overflow, because no coordinate is much
@@ -93,18 +83,16 @@ template <class Component = long double, class S, int D>
   using Limits = std::numeric_limits<Component>;
   const int factors = (D == 2 ? 2 : 4) * (same_frame ? 1 : 2);
   const int room = -Limits::min_exponent / factors - Limits::digits;
-  const auto has_room = [&](const Vec<S, D>& a, int unit) {
-    return std::all_of(a.data(), a.data() + D, [&](const S& value) {
+  const auto has_room = [&](const auto& a, int unit) {
+    return std::all_of(a.data(), a.data() + a.size(), [&](const S& value) {
       return value == S(0) || std::abs(ScalarTraits<S>::exponent(magnitude(value)) - unit) <= room;
     });
   };
   const auto shape_has_room = [&](const Shape<S, D>& shape) {
-    for (int i = 0; i < D; ++i) {
-      if (!has_room(shape.pose.rotation.col(i), 0)) return false;
-    }
-    return has_room(shape.pose.translation, exponent) &&
-           std::all_of(shape.vertices().begin(), shape.vertices().end(),
-                       [&](const Vec<S, D>& vertex) { return has_room(vertex, exponent); });
+    return has_room(shape.pose.rotation.matrix(), 0) &&
+           has_room(shape.pose.translation, exponent) &&
+           std::ranges::all_of(shape.vertices(),
+                               [&](const Vec<S, D>& vertex) { return has_room(vertex, exponent); });
   };
   return shape_has_room(query.x) && shape_has_room(query.y);
 }

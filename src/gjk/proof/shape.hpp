@@ -25,18 +25,26 @@ class Rotation {
   template <class Derived>
   // NOLINTNEXTLINE(google-explicit-constructor): every matrix is a Rotation.
   Rotation(const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {
-    for (int i = 0; i < D; ++i) {
-      const bool is_unit = is_zero(Vec<S, D>(col(i) - Matrix::Identity().col(i)));
-      turns_ = turns_ || !is_unit;
-    }
+    turns_ = matrix_ != Matrix::Identity();
     if constexpr (!ScalarTraits<S>::kExact) {
-      if (turns_) set_stretch();
+      if (!turns_) return;
+      const auto product = [&](int i, int k) {
+        return dot<Size, D>(converted<Size, S, D>(col(i)), converted<Size, S, D>(col(k)));
+      };
+      Size longest_sq(1);
+      Size skewed(0);
+      for (int i = 0; i < D; ++i) {
+        longest_sq = larger(longest_sq, product(i, i));  // `skewed` carries any NaN
+        for (int k = 0; k < i; ++k) skewed = skewed + magnitude(product(i, k));
+      }
+      stretch_ = (Size(1) + longest_sq + skewed) / Size(2);  // >= sqrt(longest_sq + skewed)
     }
   }
 
   [[nodiscard]] const Matrix& matrix() const { return matrix_; }
   [[nodiscard]] const S& operator()(int row, int column) const { return matrix_(row, column); }
   [[nodiscard]] auto col(int i) const { return matrix_.col(i); }
+  [[nodiscard]] auto row(int i) const { return matrix_.row(i).transpose(); }
 
   /// True when the matrix is not the identity.
   [[nodiscard]] bool turns() const { return turns_; }
@@ -45,19 +53,6 @@ class Rotation {
   [[nodiscard]] const Size& stretch() const { return stretch_; }
 
  private:
-  void set_stretch() {
-    const auto column = [&](int i) -> Vec<Size, D> {
-      return converted<Size, S, D>(Vec<S, D>(col(i)));
-    };
-    Size longest_sq(1);
-    Size skewed(0);
-    for (int i = 0; i < D; ++i) {
-      longest_sq = larger(longest_sq, dot(column(i), column(i)));  // `skewed` carries any NaN
-      for (int k = 0; k < i; ++k) skewed = skewed + magnitude(dot(column(i), column(k)));
-    }
-    stretch_ = (Size(1) + longest_sq + skewed) / Size(2);  // >= sqrt(longest_sq + skewed)
-  }
-
   Matrix matrix_ = Matrix::Identity();
   Size stretch_ = Size(1);
   bool turns_ = false;
@@ -74,12 +69,7 @@ struct Pose {
   [[nodiscard]] Vec<R, D> rotated(const Vec<R, D>& local) const {
     if (!rotation.turns()) return local;
     Vec<R, D> world;
-    for (int row = 0; row < D; ++row) {
-      world[row] = ScalarTraits<R>::from(rotation(row, 0)) * local[0];
-      for (int k = 1; k < D; ++k) {
-        world[row] = world[row] + R(ScalarTraits<R>::from(rotation(row, k)) * local[k]);
-      }
-    }
+    for (int i = 0; i < D; ++i) world[i] = dot(converted<R, S, D>(rotation.row(i)), local);
     return world;
   }
   /// rotation^T * world, computed in R: a direction in the shape's frame.
@@ -87,12 +77,7 @@ struct Pose {
   [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
     if (!rotation.turns()) return world;
     Vec<R, D> local;
-    for (int column = 0; column < D; ++column) {
-      local[column] = ScalarTraits<R>::from(rotation(0, column)) * world[0];
-      for (int k = 1; k < D; ++k) {
-        local[column] = local[column] + R(ScalarTraits<R>::from(rotation(k, column)) * world[k]);
-      }
-    }
+    for (int i = 0; i < D; ++i) local[i] = dot(converted<R, S, D>(rotation.col(i)), world);
     return local;
   }
 };
@@ -112,17 +97,12 @@ class MeasuredShape {
   std::vector<Vec<S, D>> points_;
   Measures<S, D> measures_;
 };
-template <class S, int D>
-MeasuredShape(std::vector<Vec<S, D>>) -> MeasuredShape<S, D>;
 
 /// The convex hull of some points (order and repetition do not matter), at a pose. Borrows the
 /// points, so temporaries, which would be gone before the query is answered, do not compile.
 template <class S, int D>
 class Shape {
  public:
-  using Scalar = S;
-  static constexpr int kDimension = D;
-
   Pose<S, D> pose = {};
 
   Shape() = default;
@@ -148,20 +128,8 @@ class Shape {
   std::span<const Vec<S, D>> vertices_;
   const Measures<S, D>* measures_ = nullptr;
 };
-namespace detail {
-template <class S, int D>
-Shape<S, D> shape_of(const Vec<S, D>* points);
 template <class Range>
-using ShapeOf = decltype(shape_of(std::ranges::data(std::declval<Range&>())));
-}  // namespace detail
-template <class Range>
-Shape(Range&&)
-    -> Shape<typename detail::ShapeOf<Range>::Scalar, detail::ShapeOf<Range>::kDimension>;
-template <class Range, class S, int D>
-Shape(Range&&, Pose<S, D>) -> Shape<S, D>;
-template <class S, int D>
-Shape(const MeasuredShape<S, D>&) -> Shape<S, D>;
-template <class S, int D>
-Shape(const MeasuredShape<S, D>&, Pose<S, D>) -> Shape<S, D>;
+Shape(Range&&) -> Shape<typename std::ranges::range_value_t<Range>::Scalar,
+                        std::ranges::range_value_t<Range>::RowsAtCompileTime>;
 
 }  // namespace gjk

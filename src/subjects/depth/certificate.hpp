@@ -55,11 +55,6 @@ template <class R>
   return is_certain && turns == 1;
 }
 
-template <class R, class N>
-[[nodiscard]] Vec<R, 2> rounded(const Vec<N, 2>& a) {
-  return gjk::rounded<R, N, 2>(a);
-}
-
 /// A vertex of Z with about twice the digits of R.
 template <class R, class S>
 [[nodiscard]] Vec<gjk::DoubleWord<R>, 2> careful_vertex(const gjk::Query<S, 2>& query,
@@ -93,17 +88,17 @@ inline constexpr int kDistanceRoundings = 6;
 template <class R, class N>
 [[nodiscard]] Distance<R> segment_distance(const Vec<N, 2>& a, const Vec<N, 2>& b, const R& error) {
   const Vec<N, 2> exact_way = b - a;
-  const Vec<R, 2> from = rounded<R>(a);
-  const Vec<R, 2> way = rounded<R>(exact_way);
+  const Vec<R, 2> from = gjk::converted<R>(a);
+  const Vec<R, 2> way = gjk::converted<R>(exact_way);
   const R length = gjk::careful_length(way);
   const R foot = length == R(0) ? R(0) : R(-gjk::dot(from, way) / length);  // from a
   const R beyond = R(8) * gjk::ScalarTraits<R>::unit_roundoff() * gjk::careful_length(from);
   if (length == R(0) || foot < -beyond || length + beyond < foot) {
     const R distance =
-        foot < length ? gjk::careful_length(from) : gjk::careful_length(rounded<R>(b));
+        foot < length ? gjk::careful_length(from) : gjk::careful_length(gjk::converted<R>(b));
     return {distance, distance - error};
   }
-  const R distance = gjk::rounded<R>(gjk::cross(a, exact_way)) / length;
+  const R distance = gjk::ScalarTraits<R>::from(gjk::cross(a, exact_way)) / length;
   return {distance, distance - error * (R(2) + R(2) * beyond / length)};
 }
 
@@ -155,7 +150,7 @@ template <class Wide, class R, class S, class N>
     const Vec<N, 2> edge = polygon.at(second) - polygon.at(first);
     ends = {first, second};
     from_first = beyond;
-    way = gjk::careful_length(rounded<Wide>(edge));
+    way = gjk::careful_length(gjk::converted<Wide>(edge));
   };
   if (foot < Wide(0)) {
     step_to(nearest.from, polygon.corners[nearest.from].previous, Wide(-foot));
@@ -187,11 +182,11 @@ template <class R, class S>
   const Vec<gjk::DoubleWord<R>, 2> b = careful_corner(state.edge.to);
 
   Proof<R> out;
-  Vec<R, 2> way = rounded<R>(Vec<gjk::DoubleWord<R>, 2>(b - a));
+  Vec<R, 2> way = gjk::converted<R>(Vec<gjk::DoubleWord<R>, 2>(b - a));
   if (gjk::is_zero(way)) way = {-state.n[1], state.n[0]};
   const R length = gjk::careful_length(way);
   out.direction = gjk::perpendicular<R, 2>({way}) / length;
-  const R foot = -gjk::dot(rounded<R>(a), way) / length;
+  const R foot = -gjk::dot(gjk::converted<R>(a), way) / length;
   out.edge = contact_edge(polygon, state.edge, foot, length, query, prepared);
 
   const R careful = prepared.careful_error();
@@ -235,9 +230,9 @@ template <class R, class S>
   const Vec<Expansion, 2>& b = polygon.at(end.edge.to);
   const auto narrow = [](const Wide& value) { return static_cast<R>(value); };
 
-  const Vec<Wide, 2> n = rounded<Wide>(end.n);
+  const Vec<Wide, 2> n = gjk::converted<Wide>(end.n);
   const Wide n_length = gjk::careful_length(n);
-  const Vec<Wide, 2> from = rounded<Wide>(a);
+  const Vec<Wide, 2> from = gjk::converted<Wide>(a);
   out.direction = {narrow(n[0] / n_length), narrow(n[1] / n_length)};
   const Wide foot = Wide(n[1] * from[0] - n[0] * from[1]) / n_length;
   out.edge = contact_edge(polygon, end.edge, foot, n_length, query, prepared);
@@ -258,8 +253,9 @@ template <class R, class S>
   const Vec<Expansion, 2> along_it = gjk::converted<Expansion, R, 2>(out.direction);
   const auto farthest =
       gjk::support_point(query, exact, gjk::farthest_pair(query, exact, along_it));
-  const Wide direction_length = gjk::length(rounded<Wide>(along_it));
-  const Wide reach = gjk::rounded<Wide>(gjk::dot(along_it, farthest.w)) / direction_length;
+  const Wide direction_length = gjk::length(gjk::converted<Wide>(along_it));
+  const Wide reach =
+      gjk::ScalarTraits<Wide>::from(gjk::dot(along_it, farthest.w)) / direction_length;
 
   const R u = gjk::ScalarTraits<R>::unit_roundoff();
   const R few = R(kDistanceRoundings) * u;

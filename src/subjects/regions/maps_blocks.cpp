@@ -159,7 +159,7 @@ void orders(PanelBuilder& panel) {
   const gjk::FaceList list = gjk::tested_faces(3, chain.order);
   const int tried = static_cast<int>(chain.tests.size());
   for (int i = 0; i < list.count; ++i) {
-    const gjk::Face face = list.faces[i];
+    const gjk::Face face = list[i];
     const TestMark mark = i >= tried              ? TestMark::untried
                           : !chain.tests[i].holds ? TestMark::fails
                           : chain.error > 0.0     ? TestMark::misleads

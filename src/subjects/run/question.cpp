@@ -66,7 +66,7 @@ class Asking {
     // Those that the frame does not rule out.
     const bool gradual = story_.knows.gradual;
     for (int i = gradual ? story_.knows.tests_reached + 1 : 0; i < order.count; ++i)
-      asked_.choices.push_back(words_.face(order.faces[i]));
+      asked_.choices.push_back(words_.face(order[i]));
     // In the order of the tests the first one left would be the answer.
     if (gradual || run_.act->asking != nullptr)
       std::sort(asked_.choices.begin(), asked_.choices.end());
@@ -108,7 +108,7 @@ class Asking {
   void closest() {
     const gjk::FaceList faces =
         gjk::tested_faces(before_.simplex.count, gjk::RegionOrder::vertices_first);
-    for (int i = 0; i < faces.count; ++i) add_face(faces.faces[i]);
+    for (int i = 0; i < faces.count; ++i) add_face(faces[i]);
     asked_.answer = words_.face(step_.after.region);
     asked_.place = world(in_plane(step_.after.p));
     text_.caption = fmt::format("Question: where is P, the point of {} closest to {}? Point at it.",

@@ -15,7 +15,7 @@ using namespace rows;
 constexpr double kCondition = 68.0;  // from a card's text to the condition of a test
 
 std::string condition(const PanelBuilder& panel, const gjk::FaceList& order, int index) {
-  const gjk::Face face = order.faces[index];
+  const gjk::Face face = order[index];
   const int size = gjk::vertex_count(face);
   const int count = panel.state.simplex.count;
   if (size == count) return count == 1 ? "only region" : "else";
@@ -121,7 +121,7 @@ void tests(PanelBuilder& panel) {
                           : tried[i].holds ? TestMark::holds
                                            : TestMark::fails;
     test_row(before, mark, asks_now && reached && i == before.knows.tests_reached,
-             before.words.face(order.faces[i]), condition(before, order, i),
+             before.words.face(order[i]), condition(before, order, i),
              reached ? before.test_values(tried[i]) : "");
     if (!leaves_room || !reached || !tried[i].holds || gjk::vertex_count(tried[i].region) != 2)
       continue;
@@ -218,9 +218,9 @@ void regions(PanelBuilder& panel) {
   const gjk::Face all = panel.state.simplex.all();
   gjk::FaceList order = gjk::tested_faces(count, gjk::RegionOrder::vertices_first);
   if (count == 2)
-    std::swap(order.faces[0], order.faces[1]);  // A before B: this is no order of tests
+    std::swap(order.entries[0], order.entries[1]);  // A before B: this is no order of tests
   for (int i = 0; i < order.count; ++i) {
-    const gjk::Face face = order.faces[i];
+    const gjk::Face face = order[i];
     const bool current = panel.knows.phase && face == panel.state.region;
     if (current) panel.highlight("highlight.pass");
     panel.write(current ? "pass" : "untried", panel.left, current ? "●" : "○", type::kBody);

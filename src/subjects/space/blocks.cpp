@@ -27,7 +27,7 @@ void faces(PanelBuilder& panel) {
   const SimplexWords words(panel.run, simplex);
   const gjk::FaceList order = gjk::tested_faces(simplex.count, gjk::RegionOrder::vertices_first);
   for (int i = 0; i < order.count; ++i) {
-    const gjk::Face face = order.faces[i];
+    const gjk::Face face = order[i];
     const bool is_reached = !tries || i <= panel.knows.tests_reached;
     const bool knows = tries ? is_reached : panel.knows.closest_point;
     const bool wins = panel.knows.closest_point && face == region;
