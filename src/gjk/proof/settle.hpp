@@ -89,10 +89,9 @@ template <class Component = long double, class S, int D>
     });
   };
   const auto shape_has_room = [&](const Shape<S, D>& shape) {
-    return has_room(shape.pose.rotation.matrix(), 0) &&
-           has_room(shape.pose.translation, exponent) &&
-           std::ranges::all_of(shape.vertices(),
-                               [&](const Vec<S, D>& vertex) { return has_room(vertex, exponent); });
+    const auto is_near = [&](const Vec<S, D>& vertex) { return has_room(vertex, exponent); };
+    return has_room(shape.pose.rotation.matrix(), 0) && is_near(shape.pose.translation) &&
+           std::all_of(shape.vertices().begin(), shape.vertices().end(), is_near);
   };
   return shape_has_room(query.x) && shape_has_room(query.y);
 }
