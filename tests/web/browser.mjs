@@ -1,7 +1,8 @@
 // The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
 // that does not hold ends it. An action is tried on a phone, and on a laptop or a projector in turn, in
-// themes that change from action to action; of claims about every page one lesson in eight is opened.
-// With --all, an action is tried at each size in each theme, and every page is opened.
+// themes that change from action to action; of claims about every page one lesson in sixteen is opened,
+// and of claims about windows or themes each lesson is tried in every second. With --all, an action is
+// tried at each size in each theme, and every page is opened, in every window and theme.
 // Usage: node browser.mjs SITE [--shots DIR] [--only WORD] [--all]
 // Pages that need no other file are made by the program that $GJKSCOPE names, or that is built here.
 import assert from "node:assert/strict";
@@ -30,7 +31,10 @@ const SIZES = {
 const THEMES = ["light", "dark", "high-contrast", "print"];
 const pages = readdirSync(site).filter((name) => name.endsWith(".html"));
 const isLesson = (name) => !["index.html", "about.html", "playground.html"].includes(name);
-const opened = process.argv.includes("--all") ? pages : pages.filter((name, i) => !isLesson(name) || i % 8 === 0);
+const everything = process.argv.includes("--all");
+const opened = everything ? pages : pages.filter((name, i) => !isLesson(name) || i % 16 === 0);
+/** Every second one, the others for the next lesson. */
+const everySecond = (list, lesson) => list.filter((_, i) => everything || i % 2 === lesson % 2);
 const url = (name, hash = "") => pathToFileURL(join(site, `${name}.html`)).href + hash;
 
 const browser = await chromium.launch({
@@ -85,7 +89,7 @@ let actions = 0;
  * the next theme and takes the other of the larger sizes, so that over all actions all pairs are tried.
  */
 function action(name, body, { sizes = Object.keys(SIZES), alone = false } = {}) {
-  const pairs = process.argv.includes("--all")
+  const pairs = everything
     ? sizes.flatMap((size) => THEMES.map((theme) => [size, theme]))
     : sizes.filter((size) => size !== (actions % 2 ? "laptop" : "projector") || sizes.length === 1)
       .map((size, i) => [size, THEMES[(i + (actions >> 1)) % THEMES.length]]);
@@ -1099,8 +1103,8 @@ const boxes = (page, ...ids) => page.evaluate((names) => Object.fromEntries(name
 })), ids);
 
 claim("figure and controls are in sight together in any window, at any step, with a question, too", async () => {
-  for (const [name, [width, height]] of Object.entries(WINDOWS)) {
-    for (const lesson of ["polygons-gjk", "segment-regions", "penetration-nested", "hierarchy-large", "accuracy-cost", "lin-canny"]) {
+  for (const [i, lesson] of ["polygons-gjk", "segment-regions", "penetration-nested", "hierarchy-large", "accuracy-cost", "lin-canny"].entries()) {
+    for (const [name, [width, height]] of everySecond(Object.entries(WINDOWS), i)) {
       const page = await open(url(lesson), name.includes("phone") ? "phone" : "laptop", { viewport: { width, height } });
       const checkIt = async (when) => {
         await rest(page);
@@ -1272,7 +1276,7 @@ claim("a page that was cut off, that lacks what its site shares, or has no scrip
 
 claim("only lessons that have questions offer them", async () => {
   const program = await startProgram();
-  const wrong = pages.filter((name) => {
+  const wrong = opened.filter((name) => {
     const page = readFileSync(join(site, name), "utf8");
     const told = page.match(/<script type="application\/json" id="data">(.*?)<\/script>/s);
     if (!told) return false;
@@ -1586,11 +1590,11 @@ claim("things move between steps, and not for who prefers less of it", async () 
 claim("axe finds nothing, in any theme", async () => {
   const axe = readFileSync(join(root, "tests/web/node_modules/axe-core/axe.min.js"), "utf8");
   const server = await serve(site);  // axe reads the style sheets
-  for (const name of ["index", "about", "playground", "polygons-gjk", "accuracy-cost", "triangle-two-maps"]) {
+  for (const [i, name] of ["index", "about", "playground", "polygons-gjk", "accuracy-cost", "triangle-two-maps"].entries()) {
     const page = await open(`${server.address}${name}.html`, "laptop", { bypassCSP: true, serviceWorkers: "block" });
     await page.evaluate(() => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
     await page.addScriptTag({ content: axe });
-    for (const theme of THEMES) {
+    for (const theme of everySecond(THEMES, i)) {
       if (await page.locator("#theme").count()) await page.selectOption("#theme", theme), await rest(page);
       else await page.evaluate((to) => { document.documentElement.dataset.theme = to; }, theme);
       const { violations } = await page.evaluate(() => axe.run());
