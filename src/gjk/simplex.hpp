@@ -196,7 +196,9 @@ template <class R, int D>
   const FaceVertices& in_face = vertices_of(face);
   if (in_face.count == 1) return simplex.vertices[in_face[0]].w;
   Vec<R, D> point = Vec<R, D>::Zero();
-  for (const int i : in_face) point = point + Vec<R, D>(simplex.vertices[i].w * weights[i]);
+  for (const int i : in_face) {
+    for (int k = 0; k < D; ++k) point[k] = point[k] + R(weights[i] * simplex.vertices[i].w[k]);
+  }
   return point;
 }
 

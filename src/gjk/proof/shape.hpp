@@ -44,7 +44,6 @@ class Rotation {
   [[nodiscard]] const Matrix& matrix() const { return matrix_; }
   [[nodiscard]] const S& operator()(int row, int column) const { return matrix_(row, column); }
   [[nodiscard]] auto col(int i) const { return matrix_.col(i); }
-  [[nodiscard]] auto row(int i) const { return matrix_.row(i).transpose(); }
 
   /// True when the matrix is not the identity.
   [[nodiscard]] bool turns() const { return turns_; }
@@ -69,7 +68,11 @@ struct Pose {
   [[nodiscard]] Vec<R, D> rotated(const Vec<R, D>& local) const {
     if (!rotation.turns()) return local;
     Vec<R, D> world;
-    for (int i = 0; i < D; ++i) world[i] = dot(converted<R, S, D>(rotation.row(i)), local);
+    for (int i = 0; i < D; ++i) {
+      world[i] = ScalarTraits<R>::from(rotation(i, 0)) * local[0];
+      for (int k = 1; k < D; ++k)
+        world[i] = world[i] + R(ScalarTraits<R>::from(rotation(i, k)) * local[k]);
+    }
     return world;
   }
   /// rotation^T * world, computed in R: a direction in the shape's frame.
@@ -77,7 +80,11 @@ struct Pose {
   [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
     if (!rotation.turns()) return world;
     Vec<R, D> local;
-    for (int i = 0; i < D; ++i) local[i] = dot(converted<R, S, D>(rotation.col(i)), world);
+    for (int i = 0; i < D; ++i) {
+      local[i] = ScalarTraits<R>::from(rotation(0, i)) * world[0];
+      for (int k = 1; k < D; ++k)
+        local[i] = local[i] + R(ScalarTraits<R>::from(rotation(k, i)) * world[k]);
+    }
     return local;
   }
 };
