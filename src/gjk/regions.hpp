@@ -23,8 +23,6 @@
 //
 // The code has no order CA: that face is vertices 0 and 2, and uCA is the coordinate of vertex 2.
 
-#include <algorithm>
-
 #include "gjk/proof/nearest_face.hpp"
 #include "gjk/record.hpp"
 

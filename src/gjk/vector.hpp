@@ -3,7 +3,6 @@
 // multiply-add, so that every compiler and build type decides the same.
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 
 #include "gjk/proof/scalar.hpp"
@@ -87,7 +86,7 @@ template <class S, int D>
 
 template <class S, int D>
 [[nodiscard]] bool is_zero(const Vec<S, D>& a) {
-  return std::all_of(a.data(), a.data() + D, [](const S& entry) { return entry == S(0); });
+  return (a.array() == S(0)).all();
 }
 
 }  // namespace gjk

@@ -126,7 +126,7 @@ template <class S>
 using List = std::vector<Vec<S, 2>>;
 template <class S>
 gjk::Measures<S, 2> points(const List<S>& list) {
-  return gjk::measured<S, 2>(list);
+  return gjk::Measures<S, 2>(list);
 }
 
 /// `count` points on a circle around (x, y), counter-clockwise.

@@ -101,7 +101,7 @@ Climbs check_climbs(std::uint64_t seed, double least_flatness) {
     const auto list = ellipse<S>(random, count, random.magnitude(least_flatness, 1));
     const std::vector<Vec<S, 2>> origin = {{0, 0}};
     const gjk::Query<S, 2> query{{origin}, {list}};
-    if (!gjk::measured<S, 2>(list).is_ring) continue;
+    if (!gjk::Measures<S, 2>(list).is_ring) continue;
     const auto prepared = gjk::prepare<R>(query, {});
     for (int k = 0; k < 40; ++k) {
       const check::Context context("seed", seed, "ring", i, "corners", count, "direction", k);
@@ -159,7 +159,7 @@ TEST(flat_climbs,
     const auto list = flat_chain(random, random.among(2000, 4000));
     const std::vector<Vec<double, 2>> origin = {{0, 0}};
     const gjk::Query<double, 2> query{{origin}, {list}};
-    if (!gjk::measured<double, 2>(list).is_ring) continue;
+    if (!gjk::Measures<double, 2>(list).is_ring) continue;
     ++rings;
     const auto prepared = gjk::prepare<double>(query, {});
     for (int k = 0; k < 20; ++k) {

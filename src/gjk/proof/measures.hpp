@@ -2,7 +2,6 @@
 // Measures of all points of a shape: where they lie, how far they reach, and whether `climb` can
 // find the support points of a large polygon.
 
-#include <algorithm>
 #include <span>
 
 #include "gjk/vector.hpp"
@@ -31,7 +30,7 @@ template <class S, int D>
 /// True when no entry of a vector or matrix is a NaN or an infinity.
 template <class S, int rows, int columns>
 [[nodiscard]] bool is_finite(const Eigen::Matrix<S, rows, columns>& a) {
-  return std::all_of(a.data(), a.data() + a.size(), ScalarTraits<S>::is_finite);
+  return a.unaryExpr([](const S& entry) { return ScalarTraits<S>::is_finite(entry); }).all();
 }
 
 /// a * 2^exponent.
@@ -130,6 +129,9 @@ struct Measures {
   S to_mean = S(0);  ///< Distance from `centre` to the mean of the points, equally exact.
   /// Indices of two points that lie at least as far apart as the longest side of the box.
   std::array<int, 2> far_apart = {};
+
+  Measures() = default;
+  explicit Measures(std::span<const Vec<S, D>> points);
 };
 
 /// The length of a vector whose squares may overflow or underflow.
@@ -186,12 +188,10 @@ void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, 
 
 }  // namespace detail
 
-/// The measures of some points.
 template <class S, int D>
-[[nodiscard, gnu::noinline]] Measures<S, D> measured(std::span<const Vec<S, D>> points) {
-  Measures<S, D> out;
+[[gnu::noinline]] Measures<S, D>::Measures(std::span<const Vec<S, D>> points) {
   if constexpr (!ScalarTraits<S>::kExact) {
-    if (points.empty()) return out;
+    if (points.empty()) return;
     Vec<S, D> low = points[0];
     Vec<S, D> high = points[0];
     Vec<S, D> nothing = Vec<S, D>::Zero();  // a NaN once a coordinate is not finite
@@ -200,29 +200,27 @@ template <class S, int D>
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
-    out.is_finite = is_zero(nothing);
+    is_finite = is_zero(nothing);
     const Vec<S, D> half_box = high / S(2) - low / S(2);
     int longest = 0;
     for (int i = 1; i < D; ++i) longest = half_box[longest] < half_box[i] ? i : longest;
     for (int i = 0; i < static_cast<int>(points.size()); ++i) {
       const S at = points[i][longest];
-      out.far_apart[0] = at == low[longest] ? i : out.far_apart[0];
-      out.far_apart[1] = at == high[longest] ? i : out.far_apart[1];
+      far_apart[0] = at == low[longest] ? i : far_apart[0];
+      far_apart[1] = at == high[longest] ? i : far_apart[1];
     }
-    out.largest = larger(norm_max(low), norm_max(high));
+    largest = larger(norm_max(low), norm_max(high));
     const Vec<S, D> middle = low / S(2) + high / S(2);
-    out.is_centred = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
-    if (out.is_centred) out.centre = middle;
-    const S size =
-        larger(norm_max(Vec<S, D>(high - out.centre)), norm_max(Vec<S, D>(low - out.centre)));
-    if (out.is_finite && S(0) < size && ScalarTraits<S>::is_finite(size)) {
-      detail::measure_size(points, size, out);
+    is_centred = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
+    if (is_centred) centre = middle;
+    const S size = larger(norm_max(Vec<S, D>(high - centre)), norm_max(Vec<S, D>(low - centre)));
+    if (is_finite && S(0) < size && ScalarTraits<S>::is_finite(size)) {
+      detail::measure_size(points, size, *this);
     }
     if constexpr (D == 2) {
-      out.is_ring = points.size() >= kRingFrom && detail::is_strictly_convex_ring(points);
+      is_ring = points.size() >= kRingFrom && detail::is_strictly_convex_ring(points);
     }
   }
-  return out;
 }
 
 }  // namespace gjk

@@ -91,8 +91,7 @@ template <class R, class S, int D>
   std::optional<Measures<S, D>> of_x;
   std::optional<Measures<S, D>> of_y;
   const auto measures = [](const Shape<S, D>& shape, auto& own) -> const Measures<S, D>& {
-    if (shape.measures() != nullptr) return *shape.measures();
-    return own.emplace(measured<S, D>(shape.vertices()));
+    return shape.measures() != nullptr ? *shape.measures() : own.emplace(shape.vertices());
   };
   const detail::MeasuredQuery<S, D> all{query, measures(query.x, of_x), measures(query.y, of_y)};
   Prepared<R, D> prepared;

@@ -3,7 +3,6 @@
 // run starts another run of the same loop, on expansions. That is rare, so it costs little overall.
 
 #include "gjk/loop.hpp"
-#include "gjk/proof/careful.hpp"
 #include "gjk/proof/certificate.hpp"
 #include "gjk/proof/result.hpp"
 

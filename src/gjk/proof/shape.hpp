@@ -95,7 +95,7 @@ class MeasuredShape {
  public:
   /// Order and repetition of points do not matter.
   explicit MeasuredShape(std::vector<Vec<S, D>> points)
-      : points_(std::move(points)), measures_(measured<S, D>(points_)) {}
+      : points_(std::move(points)), measures_(points_) {}
 
   [[nodiscard]] const std::vector<Vec<S, D>>& points() const { return points_; }
   [[nodiscard]] const Measures<S, D>& measures() const { return measures_; }
