@@ -205,10 +205,13 @@ std::vector<FrameText> lesson_texts(const LessonRun& run, EffectGraph& effects) 
     texts.front().detail = texts.front().caption;
     texts.front().caption = run.lesson.opening;
   }
-  if (!run.lesson.next.empty()) {
+  const auto append = [&](const std::string& sentence) {
     std::string& detail = texts.back().detail;
-    detail += (detail.empty() ? "" : " ") + run.lesson.next;
-  }
+    detail += (detail.empty() ? "" : " ") + sentence;
+  };
+  if (!run.lesson.in_space.empty())
+    append(fmt::format("Lesson {} shows the same in space.", run.lesson.in_space));
+  if (!run.lesson.next.empty()) append(run.lesson.next);
   return texts;
 }
 

@@ -153,9 +153,10 @@ struct Lesson {
   int chapter = 1;
   int order = 1;  ///< Within the chapter.
   std::string source;
-  std::string prose;    ///< May hold placeholders, {distance} and so on; see lesson/prose.hpp.
-  std::string opening;  ///< Why the lesson is there: heads the words of the first frame.
-  std::string next;     ///< A question for the next lesson; ends the last frame.
+  std::string prose;     ///< May hold placeholders, {distance} and so on; see lesson/prose.hpp.
+  std::string opening;   ///< Why the lesson is there: heads the words of the first frame.
+  std::string next;      ///< A question for the next lesson; ends the last frame.
+  std::string in_space;  ///< The `id` of the lesson that shows the same in space, if there is one.
 
   int dimension = 2;                   ///< 2 or 3.
   std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.

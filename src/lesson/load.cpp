@@ -148,6 +148,7 @@ void LessonReader::read_head(const Table& file) {
   lesson_.source = reader_.text(file["source"], kSourceLength).value_or("");
   lesson_.opening = reader_.text(file["opening"], kOpeningLength).value_or("");
   lesson_.next = reader_.text(file["next"], kNextLength).value_or("");
+  lesson_.in_space = reader_.text(file["in_space"], kLessonIdLength).value_or("");
 }
 
 void LessonReader::read_prose(const Field& prose) {

@@ -144,6 +144,7 @@ std::string lesson_toml(const Lesson& lesson) {
   if (!lesson.prose.empty()) out.long_text("prose", lesson.prose);
   if (!lesson.opening.empty()) out.long_text("opening", lesson.opening);
   if (!lesson.next.empty()) out.long_text("next", lesson.next);
+  out.text("in_space", lesson.in_space, "");
   for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
     write_shape(out, lesson.bodies[i], kBodyKeys[i], lesson.dimension);
   write_query(out, lesson);

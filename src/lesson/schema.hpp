@@ -41,6 +41,7 @@ inline constexpr int kSourceLength = 120;
 inline constexpr int kProseLength = 300;  ///< Two lines of a frame.
 inline constexpr int kOpeningLength = 200;
 inline constexpr int kNextLength = 160;
+inline constexpr int kLessonIdLength = 60;
 inline constexpr int kViewTitleLength = 60;
 inline constexpr int kMostViews = 3;
 inline constexpr int kShapeNameLength = 12;

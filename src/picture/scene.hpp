@@ -184,6 +184,10 @@ struct SceneBuilder {
   }
   /// The length of a search direction's arrow that starts at `p`, a point of the difference.
   [[nodiscard]] double arrow_length(const Eigen::Vector3d& p) const;
+  /// The middle of the arrow along a state's search direction.
+  [[nodiscard]] Point middle_of_arrow(const WideState& of) const {
+    return at_difference(of.p) + 0.5 * arrow_length(of.p) * map.direction(of.d);
+  }
   /// An arrow along d, and its name.
   void search_arrow(const Point& from, const Eigen::Vector3d& d, double length,
                     const std::string& text);

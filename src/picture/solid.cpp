@@ -2,11 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 #include "outlines/polygon.hpp"
 
 namespace gjkscope {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 std::vector<bool> faces_in_front(const StageMap& map, const Polyhedron& solid) {
@@ -31,8 +33,51 @@ std::vector<bool> vertices_behind(const StageMap& map, const Polyhedron& solid,
   return behind;
 }
 
+std::optional<std::array<double, 2>> part_behind(const StageMap& map, const SolidBody& body,
+                                                 const Vector3d& from, const Vector3d& to) {
+  if (body.hull.faces.empty()) return std::nullopt;
+  const auto point = [&](int vertex) { return body.points[static_cast<std::size_t>(vertex)]; };
+  double nearest = -std::numeric_limits<double>::infinity();
+  double size = 0.0;
+  for (const int vertex : body.hull.vertices) {
+    nearest = std::max(nearest, map.towards_eye(point(vertex)));
+    size = std::max(size, (point(vertex) - point(body.hull.vertices.front())).norm());
+  }
+  const double far = nearest - std::min(map.towards_eye(from), map.towards_eye(to));
+  if (far <= 0.0) return std::nullopt;
+  // All (t, s) for which from + t (to - from) + s (towards the eye) lies within the body.
+  const double touching = 1e-6 * size;
+  const Vector3d along = to - from;
+  const Vector3d eye = map.axes().row(2).transpose();
+  std::vector<Vector2d> inside = {{0.0, 0.0}, {1.0, 0.0}, {1.0, far}, {0.0, far}};
+  const auto cut = [&](const Vector3d& outwards, const Vector3d& on_face, double margin) {
+    const Vector2d normal(outwards.dot(along), outwards.dot(eye));
+    const double beyond = outwards.dot(from - on_face) + margin;
+    if (normal.squaredNorm() > 0.0) {
+      inside = clip(inside, {-beyond / normal.squaredNorm() * normal, normal});
+    } else if (beyond > 0.0) {
+      inside.clear();
+    }
+  };
+  const bool is_flat = body.hull.faces.size() == 2;  // a plate, as thick as `touching` either way
+  for (const Polyhedron::Face& face : body.hull.faces) {
+    cut(face.normal, point(face.vertices[0]), is_flat ? -touching : touching);
+    if (inside.empty()) return std::nullopt;
+  }
+  for (std::size_t i = 0; is_flat && i < body.hull.edges.size(); ++i) {
+    const Polyhedron::Edge& rim = body.hull.edges[i];
+    const Vector3d& on_left = body.hull.faces[static_cast<std::size_t>(rim.left)].normal;
+    cut((point(rim.to) - point(rim.from)).cross(on_left).normalized(), point(rim.from), touching);
+    if (inside.empty()) return std::nullopt;
+  }
+  std::array<double, 2> part = {1.0, 0.0};
+  for (const Vector2d& corner : inside)
+    part = {std::min(part[0], corner.x()), std::max(part[1], corner.x())};
+  return part;
+}
+
 void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<Vector3d>& points,
-                const std::string& role, const Subject& subject) {
+                const std::string& role, const Subject& subject, const SolidBody* other) {
   // From the upper left, in the directions of the screen.
   const Vector3d light = scene.map.axes().transpose() * Vector3d(-0.5, 0.6, 0.6).normalized();
   constexpr double kShaded = 0.35;
@@ -40,9 +85,31 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   const auto edge = [&](const Polyhedron::Edge& ends, const std::string& of) {
     scene.add(of, Polyline{{at(ends.from), at(ends.to)}}, subject);
   };
+  const auto hidden_by_other = [&](const Polyhedron::Edge& ends) {
+    return other == nullptr
+               ? std::nullopt
+               : part_behind(scene.map, *other, points[static_cast<std::size_t>(ends.from)],
+                             points[static_cast<std::size_t>(ends.to)]);
+  };
+  /// An edge that its own body does not hide.
+  const auto edge_in_front = [&](const Polyhedron::Edge& ends, const std::string& of) {
+    const auto hidden = hidden_by_other(ends);
+    if (!hidden) return edge(ends, of);
+    const auto part = [&](double begin, double end, const std::string& part_of) {
+      const Point way = at(ends.to) - at(ends.from);
+      if ((end - begin) * way.norm() < 0.5) return;  // of a pixel
+      scene.add(part_of, Polyline{{at(ends.from) + begin * way, at(ends.from) + end * way}},
+                subject);
+    };
+    part(0.0, (*hidden)[0], of);
+    part((*hidden)[0], (*hidden)[1], role + ".hidden");
+    part((*hidden)[1], 1.0, of);
+  };
   if (solid.faces.empty()) {
-    for (const Polyhedron::Edge& ends : solid.edges)
-      scene.line(role, at(ends.from), at(ends.to), subject);
+    for (const Polyhedron::Edge& ends : solid.edges) {
+      edge_in_front(ends, role);
+      scene.out.obstacles.segments.push_back({at(ends.from), at(ends.to)});
+    }
     return;
   }
   const std::vector<bool> front = faces_in_front(scene.map, solid);
@@ -68,9 +135,17 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
     for (const int vertex : solid.faces[k].vertices) corners.push_back(at(vertex));
     scene.area(role + ".shade", corners);
   }
-  if (silhouette.size() > 2) scene.area(role, silhouette, subject);
+  const auto is_silhouette = [&](const Polyhedron::Edge& ends) {
+    return is_front(ends.left) != is_front(ends.right);
+  };
+  const bool is_whole = std::none_of(
+      solid.edges.begin(), solid.edges.end(),
+      [&](const Polyhedron::Edge& ends) { return is_silhouette(ends) && hidden_by_other(ends); });
+  if (silhouette.size() > 2) scene.area(is_whole ? role : role + ".fill", silhouette, subject);
   for (const Polyhedron::Edge& ends : solid.edges) {
-    if (mean > kRoom && is_front(ends.left) && is_front(ends.right)) edge(ends, role + ".edge");
+    if (mean > kRoom && is_front(ends.left) && is_front(ends.right))
+      edge_in_front(ends, role + ".edge");
+    if (!is_whole && is_silhouette(ends)) edge_in_front(ends, role);
   }
   scene.outline(silhouette);
 }

@@ -1,7 +1,9 @@
 #pragma once
 // Convex bodies in space, drawn with marks alone: the silhouette thick, edges in front thin, those
-// behind dashed.
+// behind dashed, be it behind their own body or another one.
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +19,26 @@ namespace gjkscope {
 [[nodiscard]] std::vector<bool> vertices_behind(const StageMap& map, const Polyhedron& solid,
                                                 std::size_t points);
 
+/// A body, with the points that its hull was made of.
+struct SolidBody {
+  const Polyhedron& hull;
+  const std::vector<Eigen::Vector3d>& points;
+};
+
+/// The part of a segment from which the way to the eye goes through the body, as shares of its
+/// length from 0 at `from` to 1 at `to`; none where the body hides nothing. Ways that only touch
+/// it pass by.
+[[nodiscard]] std::optional<std::array<double, 2>> part_behind(const StageMap& map,
+                                                               const SolidBody& body,
+                                                               const Eigen::Vector3d& from,
+                                                               const Eigen::Vector3d& to);
+
 /// The silhouette has the role, faces that turn away from the light ROLE.shade, edges ROLE.edge and
-/// ROLE.hidden, as far as they have room. `points`: those that the hull was made of.
+/// ROLE.hidden, as far as they have room. `points`: those that the hull was made of. `other`: a
+/// body that may hide parts of this one, even where the two overlap.
 void draw_solid(SceneBuilder& scene, const Polyhedron& solid,
                 const std::vector<Eigen::Vector3d>& points, const std::string& role,
-                const Subject& subject = {});
+                const Subject& subject = {}, const SolidBody* other = nullptr);
 
 /// The part of a plane around `center`, which lies in it, as a square with this half-width.
 void draw_plane(SceneBuilder& scene, const Eigen::Vector3d& center, const Eigen::Vector3d& normal,

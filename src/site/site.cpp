@@ -191,12 +191,13 @@ class SiteWriter {
     for (const bool dark : {false, true}) refuse_foreign(options_.out_dir / card_file("map", dark));
   }
 
-  void write_lesson(const Lesson& lesson, const Lesson* next) {
+  /// `next` and `in_space`: lessons to link to; null where there is none.
+  void write_lesson(const Lesson& lesson, const Lesson* next, const Lesson* in_space) {
     std::map<std::string, std::string> parts = shared_;
     parts["meta"] = escape_html(fmt::format("Chapter {}{}", lesson.chapter,
                                             lesson.source.empty() ? "" : " · " + lesson.source));
     parts["kind"] = "lesson";
-    write_page(lesson, std::move(parts), next);
+    write_page(lesson, std::move(parts), next, in_space);
   }
 
   void write_playground() {
@@ -207,7 +208,7 @@ class SiteWriter {
     parts["kind"] = "playground";
     parts["meta"] = "Their distance, and the run that finds it";
     parts["kit"] = read_whole(assets_ / "web" / "kit.html");
-    write_page(*loaded.lesson, std::move(parts), nullptr);
+    write_page(*loaded.lesson, std::move(parts), nullptr, nullptr);
   }
 
   void write_index(const std::vector<Lesson>& lessons) {
@@ -504,7 +505,7 @@ class SiteWriter {
   /// The first frame is in the page itself, for who has no script and until it has started; of the
   /// playground the last one, which is what it shows first.
   void write_page(const Lesson& lesson, std::map<std::string, std::string> parts,
-                  const Lesson* next) {
+                  const Lesson* next, const Lesson* in_space) {
     const Json data = page_data(lesson, parts["kind"]);
     Player player(faces_of(fonts_), themes_, terms_);
     const auto ask = [&](const Json& request) {
@@ -554,10 +555,11 @@ class SiteWriter {
     parts["title"] = escape_html(lesson.title);
     parts["views"] = two ? "two" : "one";
     parts["nav"] = nav(lesson.id + ".html", next);
-    if (next) {
-      parts["next"] = fmt::format("<p id=\"next\" hidden>{}</p>\n",
-                                  link(next->id + ".html", "Next lesson: " + next->title));
-    }
+    std::string links;
+    if (next) links += link(next->id + ".html", "Next lesson: " + next->title);
+    if (next && in_space) links += "<br>\n";
+    if (in_space) links += link(in_space->id + ".html", "In space: " + in_space->title);
+    if (!links.empty()) parts["next"] = fmt::format("<p id=\"next\" hidden>{}</p>\n", links);
     parts["asks"] = data["asks"].get<bool>() ? "" : " hidden";
     std::tie(parts["transcript"], parts["longest"]) = transcript(lesson);
     parts["data"] = script_text(data);
@@ -686,9 +688,13 @@ std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const Site
   }
   for (const char* folder : {"", "shared", "cards"}) remove_leftovers(options.out_dir / folder);
   if (!options.force) writer.refuse_foreign_files(lessons);
-  for (std::size_t i = 0; i < lessons.size(); ++i)
-    writer.write_lesson(lessons[i],
-                        options.index && i + 1 < lessons.size() ? &lessons[i + 1] : nullptr);
+  for (std::size_t i = 0; i < lessons.size(); ++i) {
+    const Lesson* next = options.index && i + 1 < lessons.size() ? &lessons[i + 1] : nullptr;
+    const auto in_space = std::find_if(lessons.begin(), lessons.end(), [&](const Lesson& other) {
+      return other.id == lessons[i].in_space;
+    });
+    writer.write_lesson(lessons[i], next, in_space == lessons.end() ? nullptr : &*in_space);
+  }
   if (options.index || options.package) writer.write_playground();
   if (options.index) {
     writer.write_index(lessons);

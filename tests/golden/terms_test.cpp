@@ -36,6 +36,22 @@ std::vector<std::string> lines_of(const Lesson& lesson) {
   return lines;
 }
 
+TEST(Course, LessonsOfThePlaneNameLessonsInSpaceThatExist) {
+  const std::vector<Lesson> lessons = testing::shipped_lessons();
+  int named = 0;
+  for (const Lesson& lesson : lessons) {
+    if (lesson.in_space.empty()) continue;
+    ++named;
+    const auto other = std::find_if(lessons.begin(), lessons.end(), [&](const Lesson& candidate) {
+      return candidate.id == lesson.in_space;
+    });
+    ASSERT_NE(other, lessons.end()) << lesson.id << " names " << lesson.in_space;
+    EXPECT_EQ(lesson.dimension, 2) << lesson.id;
+    EXPECT_EQ(other->dimension, 3) << lesson.in_space;
+  }
+  EXPECT_GE(named, 12);
+}
+
 TEST(CourseTerms, AreExplainedByTheirSentenceBeforeAnyLineUsesThem) {
   const std::vector<CourseTerm> terms = parse_terms(terms_file(), "assets/terms.toml");
   const std::vector<Lesson> lessons = testing::shipped_lessons();

@@ -58,6 +58,83 @@ TEST(Solids, AVertexIsBehindExactlyWhenTheWayToTheEyeGoesThroughTheBody) {
   EXPECT_GT(before, 50);
 }
 
+/// Whether a ray from a point meets a triangle, all at least `slack` from where that changes;
+/// none where it is closer (Möller, Trumbore 1997).
+std::optional<bool> meets(const Vector3d& from, const Vector3d& ray, const Vector3d& a,
+                          const Vector3d& b, const Vector3d& c, double slack) {
+  const Vector3d ab = b - a;
+  const Vector3d ac = c - a;
+  const double volume = ab.dot(ray.cross(ac));
+  if (std::abs(volume) < slack) return std::nullopt;
+  const double u = (from - a).dot(ray.cross(ac)) / volume;
+  const double v = ray.dot((from - a).cross(ab)) / volume;
+  const double way = ac.dot((from - a).cross(ab)) / volume;
+  const double least = std::min({u, v, 1.0 - u - v, way});
+  if (std::abs(least) < slack) return std::nullopt;
+  return least > 0.0;
+}
+
+/// Casts a ray from a point to the eye: whether it meets a face of the body.
+std::optional<bool> hides(const SolidBody& body, const Vector3d& from, const Vector3d& ray) {
+  bool met = false;
+  for (const Polyhedron::Face& face : body.hull.faces) {
+    const auto corner = [&](std::size_t i) {
+      return body.points[static_cast<std::size_t>(face.vertices[i])];
+    };
+    for (std::size_t i = 2; i < face.vertices.size(); ++i) {
+      const auto one = meets(from, ray, corner(0), corner(i - 1), corner(i), 1e-4);
+      if (!one) return std::nullopt;
+      met = met || *one;
+    }
+  }
+  return met;
+}
+
+TEST(Solids, PartsOfEdgesBehindAnotherBodyAreThoseWhoseRaysMeetIt) {
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  const auto point = [&] {
+    const double x = coordinate(random);
+    const double y = coordinate(random);
+    return Vector3d(x, y, coordinate(random));
+  };
+  int hidden = 0;
+  int seen = 0;
+  for (int round = 0; round < 400; ++round) {
+    const bool is_plate = round % 4 == 0;
+    const Vector3d away = (round % 3) * point();  // many of the pairs overlap
+    std::vector<Vector3d> points;
+    std::vector<Vector3d> others;
+    for (int i = 0; i < 8; ++i) {
+      points.push_back(point());
+      others.push_back(point());
+      if (is_plate) others.back().z() = 0.0;
+      others.back() += away;
+    }
+    const Polyhedron solid = hull_in_space(points);
+    const Polyhedron other_hull = hull_in_space(others);
+    const SolidBody other{other_hull, others};
+    const Eye eye{180.0 * coordinate(random), 80.0 * coordinate(random)};
+    const StageMap map({{0.0, 0.0}, {400.0, 400.0}}, {Vector3d::Zero(), 4.0, 1.0, eye});
+    for (const Polyhedron::Edge& edge : solid.edges) {
+      const Vector3d& from = points[static_cast<std::size_t>(edge.from)];
+      const Vector3d& to = points[static_cast<std::size_t>(edge.to)];
+      const auto part = part_behind(map, other, from, to);
+      for (int i = 0; i < 4; ++i) {
+        const double share = 0.5 + 0.5 * coordinate(random);
+        const auto expected =
+            hides(other, from + share * (to - from), map.axes().row(2).transpose());
+        if (!expected) continue;
+        EXPECT_EQ(*expected, part && (*part)[0] <= share && share <= (*part)[1])
+            << "round " << round << ", share " << share;
+        ++(*expected ? hidden : seen);
+      }
+    }
+  }
+  EXPECT_GT(hidden, 3000);
+  EXPECT_GT(seen, 5000);
+}
+
 TEST(Solids, TheBodyBehindIsPaintedFirst) {
   const LessonRun run = run_lesson(shipped_lesson("polyhedra-gjk"));
   EffectGraph effects(run);

@@ -33,7 +33,9 @@ Frame answer_asking(const LessonRun&, const Frame& frame) { return {.run = frame
 const Act kAnswer{
     .name = "answer",
     .meaning = "position on the path: how the run there ends",
-    .needs = {.takes_radius = true, .why_no_until = "frames show how the run ends"},
+    .needs = {.takes_radius = true,
+              .shown_of = ShownOf::both,
+              .why_no_until = "frames show how the run ends"},
     .add_frames = answer_frames,
     .sweeps = true,
     .asks = asks::kOfAnswers,

@@ -177,8 +177,12 @@ void words(const Story& story, FrameText& text) {
       fmt::format("Points of S that P needs: {}.", listed(runs, [&](const PositionedRun& each) {
                     return gjk::vertex_count(state_at(each.trace, at(each)).region);
                   }));
+  const bool drops = std::any_of(runs.begin(), runs.end(), [&](const PositionedRun* each) {
+    const WideState& state = state_at(each->trace, at(*each));
+    return gjk::vertex_count(state.region) < state.simplex.count;
+  });
   text.detail = fmt::format(
-      "The others are dropped. The most that S has had: {}.{}",
+      "{}The most that S has had: {}.{}", drops ? "The others are dropped. " : "",
       listed(runs, [&](const PositionedRun& each) { return most_points(each.trace, at(each)); }),
       over);
 }

@@ -56,13 +56,13 @@ void search_direction(SceneBuilder& scene) {
   scene.search_arrow(scene.at_difference(scene.state.p), scene.state.d,
                      scene.arrow_length(scene.state.p), "d");
   if (!scene.map.is_of_space() || !scene.shows(SecondRun::kName)) return;
-  // Its name stands where the second run's d is not.
+  // Its name stands on the side where the second run's arrow is not.
   const WideStep* beside =
       step_beside(scene.effects.get<SecondRun>(scene.frame), scene.run, scene.frame);
   std::vector<LabelRequest>& labels = scene.out.moving_labels;
   if (beside == nullptr || labels.empty() || labels.back().id != "arrow:d") return;
-  if (labels.back().towards.dot(scene.map.direction(beside->after.d)) > 0.0)
-    labels.back().towards = -labels.back().towards;
+  const Point to_other = scene.middle_of_arrow(beside->after) - scene.middle_of_arrow(scene.state);
+  if (labels.back().towards.dot(to_other) > 0.0) labels.back().towards = -labels.back().towards;
 }
 
 void best_support_line(SceneBuilder& scene) {

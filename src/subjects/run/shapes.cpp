@@ -215,16 +215,23 @@ void shape(SceneBuilder& scene, std::size_t body) {
   }
 }
 
-/// A body in space, and its vertices: those behind it are hollow, and have pale names.
+/// A body in space, and its vertices: those behind it, or behind the other body, are hollow, and
+/// have pale names.
 void solid(SceneBuilder& scene, std::size_t body) {
   using Kind = Subject::Kind;
   const bool is_x = body == 0;
   const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
   const std::vector<Vector3d>& world = scene.positioned.bodies[body].world;
-  const Polyhedron& hull = scene.effects.get<ShapeSolids>(scene.frame)[body];
-  draw_solid(scene, hull, world, role, {is_x ? Kind::shape_x : Kind::shape_y});
+  const ShapeSolids::Value& hulls = scene.effects.get<ShapeSolids>(scene.frame);
+  const Polyhedron& hull = hulls[body];
+  const SolidBody other{hulls[1 - body], scene.positioned.bodies[1 - body].world};
+  draw_solid(scene, hull, world, role, {is_x ? Kind::shape_x : Kind::shape_y}, &other);
   const std::vector<Point> vertices = scene.mapped(world);
-  const std::vector<bool> behind = vertices_behind(scene.map, hull, world.size());
+  std::vector<bool> behind = vertices_behind(scene.map, hull, world.size());
+  for (const int vertex : hull.vertices) {
+    const auto i = static_cast<std::size_t>(vertex);
+    behind[i] = behind[i] || part_behind(scene.map, other, world[i], world[i]);
+  }
   const std::vector<bool> seen = in_sight(scene, vertices);
   const std::vector<Named> named = names_of_vertices(scene, body, seen, false);
   const double radius = std::min(disk_radius(vertices), kPartOfRoom * room_of(vertices));

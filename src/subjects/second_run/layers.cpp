@@ -46,9 +46,11 @@ void second_run(SceneBuilder& scene) {
     scene.arrow("second.direction", p, tip);
     if (state.simplex.count == 2 && !scene.map.is_of_space()) right_angle(scene, p, state.d);
     // A support line may pass the tip: the name stands beside the shaft, in space on the side where
-    // the other d is not.
+    // the other arrow is not.
     Point side(-along.y(), along.x());
-    if (scene.map.is_of_space() && side.dot(scene.map.direction(scene.state.d)) > 0.0) side = -side;
+    if (scene.map.is_of_space() &&
+        side.dot(scene.middle_of_arrow(scene.state) - scene.middle_of_arrow(state)) > 0.0)
+      side = -side;
     name("d", 0.5 * (p + tip), 0.0, side);
   }
   scene.disk("second.closest", p, kPointRadius);

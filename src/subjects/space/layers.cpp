@@ -55,19 +55,15 @@ void shadow(SceneBuilder& scene, const Polyhedron& hull, const std::vector<Vecto
   if (corners.size() > 2) scene.area("floor.shadow", corners);
 }
 
-/// From the point that the question is about straight down.
-void drop_line(SceneBuilder& scene, const Vector3d& from, double z) {
-  const Point foot = scene.at(Vector3d(from.x(), from.y(), z));
-  scene.add("floor.drop", Polyline{{scene.at(from), foot}});
-  scene.add("floor.foot", Disk{foot, 2.0});
+/// Seen from below a floor would hide what stands on it.
+bool has_floor(const SceneBuilder& scene) {
+  constexpr double kLeast = 0.05;
+  return scene.map.is_of_space() && scene.map.towards_eye(Vector3d::UnitZ()) >= kLeast;
 }
 
 void floor_and_shadows(SceneBuilder& scene) {
-  if (!scene.map.is_of_space()) return;
+  if (!has_floor(scene)) return;
   const Floor floor = floor_of(scene);
-  // Seen from below it would hide what stands on it.
-  constexpr double kLeast = 0.05;
-  if (scene.map.towards_eye(Vector3d::UnitZ()) < kLeast) return;
   const double step = round_step(floor.box.diagonal().norm() / 8.0);
   const auto first = [&](int axis) { return std::floor(floor.box.min()[axis] / step) - 1.0; };
   const auto last = [&](int axis) { return std::ceil(floor.box.max()[axis] / step) + 1.0; };
@@ -86,12 +82,20 @@ void floor_and_shadows(SceneBuilder& scene) {
     const ShapeSolids::Value& hulls = scene.effects.get<ShapeSolids>(scene.frame);
     for (std::size_t i = 0; i < hulls.size(); ++i)
       shadow(scene, hulls[i], scene.positioned.bodies[i].world, floor.z);
-    if (scene.run.point_query()) drop_line(scene, scene.positioned.x().world.front(), floor.z);
   } else {
     const DifferenceSolid::Value& z = scene.effects.get<DifferenceSolid>(scene.frame);
     shadow(scene, z.hull, z.points, floor.z);
-    drop_line(scene, Vector3d::Zero(), floor.z);
   }
+}
+
+/// From the point that the question is about straight down.
+void drop_line(SceneBuilder& scene) {
+  const bool in_world = scene.view.kind == ViewKind::world;
+  if (!has_floor(scene) || (in_world && !scene.run.point_query())) return;
+  const Vector3d from = in_world ? scene.positioned.x().world.front() : Vector3d(Vector3d::Zero());
+  const Point foot = scene.at(Vector3d(from.x(), from.y(), floor_of(scene).z));
+  scene.add("floor.drop", Polyline{{scene.at(from), foot}});
+  scene.add("floor.foot", Disk{foot, 2.0});
 }
 
 void triad(SceneBuilder& scene) {
@@ -149,6 +153,10 @@ const Layer kFloor{.effect = {},
 
 const Layer kTriad{
     .effect = {}, .on = Layer::On::every_view, .order = 6, .draw = triad, .key = same_in_run};
+
+// Over the region solid, which may begin behind it.
+const Layer kDropLine{
+    .effect = {}, .on = Layer::On::every_view, .order = 41, .draw = drop_line, .key = same_in_run};
 
 const Layer kRegionSolid{
     .effect = RegionSolid::kName, .on = Layer::On::every_view, .order = 40, .draw = region_solid};

@@ -6,7 +6,8 @@ namespace gjkscope {
 
 const SubjectParts subjects::space{
     .blocks = {&blocks::kFaces},
-    .layers = {&layers::kFloor, &layers::kTriad, &layers::kRegionSolid, &layers::kFacesBefore},
+    .layers = {&layers::kFloor, &layers::kTriad, &layers::kDropLine, &layers::kRegionSolid,
+               &layers::kFacesBefore},
     .effects = {&effect_infos::kShapeSolids, &effect_infos::kDifferenceSolid,
                 &effect_infos::kRegionSolid, &effect_infos::kFacesBefore},
     .legend = {{"support.plane", "support plane, normal to d"},

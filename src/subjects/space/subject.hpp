@@ -10,6 +10,7 @@ namespace gjkscope {
 namespace layers {
 extern const Layer kFloor;
 extern const Layer kTriad;
+extern const Layer kDropLine;
 extern const Layer kRegionSolid;
 extern const Layer kFacesBefore;
 }  // namespace layers
