@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
@@ -56,6 +57,30 @@ std::string contents(const std::vector<ExportedLesson>& lessons) {
   return chapter == 0 ? html : html + "</ul>\n";
 }
 
+/// The map of the course, where it is among the lessons: its tiles lead to the first lesson of each
+/// chapter.
+std::string map_of_chapters(const std::vector<ExportedLesson>& lessons) {
+  const auto map = std::find_if(lessons.begin(), lessons.end(),
+                                [](const ExportedLesson& each) { return !each.tiles.empty(); });
+  if (map == lessons.end()) return "";
+  std::string html = fmt::format(R"(<div class="map"><img src="{}" width="{}" height="{}" alt="">)",
+                                 escape_html(map->frames.back().file), map->width, map->height);
+  for (std::size_t i = 0; i < map->tiles.size(); ++i) {
+    const int chapter = static_cast<int>(i) + 1;
+    const auto first =
+        std::find_if(lessons.begin(), lessons.end(),
+                     [&](const ExportedLesson& each) { return each.chapter == chapter; });
+    if (first == lessons.end()) continue;
+    const Rect& tile = map->tiles[i];
+    html += fmt::format(
+        R"(<a href="#{}" aria-label="Chapter {}" style="left: {:.2f}%; top: {:.2f}%; width: {:.2f}%; height: {:.2f}%"></a>)",
+        escape_html(first->id), chapter, 100.0 * tile.min.x() / map->width,
+        100.0 * tile.min.y() / map->height, 100.0 * tile.size().x() / map->width,
+        100.0 * tile.size().y() / map->height);
+  }
+  return html + "</div>\n";
+}
+
 }  // namespace
 
 std::string sidecar(const ExportedLesson& lesson) {
@@ -100,7 +125,8 @@ std::string contact_sheet(const std::vector<ExportedLesson>& lessons, const std:
   // The lessons last: their words may hold anything, a mark of the template too.
   std::string html = with_content(page, "<!-- program -->", signature());
   html = with_content(std::move(html), "<!-- summary -->", summary);
-  html = with_content(std::move(html), "<!-- contents -->", contents(lessons));
+  html = with_content(std::move(html), "<!-- contents -->",
+                      map_of_chapters(lessons) + contents(lessons));
   return with_content(std::move(html), "<!-- lessons -->", sections);
 }
 

@@ -25,6 +25,7 @@ struct ExportedLesson {
   int height = 0;
   int steps = 0;  ///< Steps of the lesson; `frames` may be some of them.
   std::vector<ExportedFrame> frames;
+  std::vector<Rect> tiles;  ///< Chapters 1, 2, ... in the last frame of a map of the course.
 };
 
 /// `<lesson>.json`: the words and values of each frame, as JSON (docs/trace-format.md).

@@ -31,6 +31,7 @@
 #include "picture/tween.hpp"
 #include "run/graph.hpp"
 #include "run/run.hpp"
+#include "subjects/course_map/tiles.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -597,10 +598,20 @@ class Exporter {
                             options_.width,
                             options_.height,
                             static_cast<int>(way.texts.size()),
+                            {},
                             {}};
     for (int step = way.steps.first; step <= way.steps.last; ++step) {
       exported.frames.push_back({step, file_of(way, step).filename().string(),
                                  std::move(way.texts[static_cast<std::size_t>(step - 1)])});
+    }
+    if (options_.index && lesson.act == "course-map") {
+      EffectGraph effects(way.run);
+      LessonPictures pictures(way.run, effects, fonts_, page_);
+      exported.tiles = tiles_of_map(pictures.picture(way.steps.last - 1));
+      for (Rect& tile : exported.tiles) {
+        tile.min *= page_.zoom;
+        tile.max *= page_.zoom;
+      }
     }
     lessons_.push_back(std::move(exported));
   }

@@ -183,6 +183,7 @@ void tell_answers(std::vector<FrameText>& texts) {
   for (std::size_t i = texts.size() - 1; i > 0 && texts[i - 1].question; --i) {
     const std::string& answer = texts[i - 1].question->answer;
     texts[i - 1].question->reason = answering.caption;
+    answering.detail += texts[i - 1].question->refuted;
     answers = answers.empty() ? answer : answer + "; " + answers;
   }
   if (answers.empty()) return;

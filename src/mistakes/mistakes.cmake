@@ -68,7 +68,7 @@ mistake(no_zero_test
   [[if (d.isZero(0) || iterations == cap) return out;]]
   [[if (iterations == cap) return out;]])
 mistake(no_progress_test
-  "There is no test of progress, and the loop runs for ever."
+  "There is no test of progress: only the cap on iterations ends the loop."
   [[if (v.index_x == far_x && v.index_y == far_y) return out;]]
   [[static_cast<void>(v);]])
 mistake(nearest_vertex

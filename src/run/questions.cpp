@@ -28,6 +28,11 @@ bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan, const LessonShape& 
   return first - second <= kSeen * d.norm() * size;
 }
 
+bool ends_by_itself(gjk::StopReason reason) {
+  return reason != gjk::StopReason::running && reason != gjk::StopReason::failed &&
+         reason != gjk::StopReason::iteration_cap && reason != gjk::StopReason::within_tolerance;
+}
+
 }  // namespace
 
 bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
@@ -39,7 +44,8 @@ bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,
            !is_tie(asked.record.scan_x, x, asked.after.d) &&
            !is_tie(asked.record.scan_y, y, asked.after.d);
   }
-  return ask == asks::kStop.name || state_before(trace, step).simplex.count > 1;
+  return ask == asks::kStop.name || ask == asks::kWhy.name ||
+         state_before(trace, step).simplex.count > 1;
 }
 
 bool tells(const WideTrace& trace, int step, std::string_view ask) {
@@ -47,6 +53,8 @@ bool tells(const WideTrace& trace, int step, std::string_view ask) {
     return i < trace.steps.size() && trace.steps[i].phase == phase;
   };
   const auto at = static_cast<std::size_t>(step);
+  if (ask == asks::kWhy.name)
+    return at + 1 == trace.steps.size() && ends_by_itself(trace.steps.back().after.stop);
   if (ask == asks::kSupport.name) return is(at, gjk::Phase::support);
   if (ask == asks::kRegion.name) return is(at, gjk::Phase::closest);
   if (ask == asks::kDropped.name)
@@ -61,6 +69,7 @@ const WideState& state_before(const WideTrace& trace, int step) {
 bool has_closest(const LessonRun& run, const Frame& frame, std::string_view ask) {
   const WideResult& result = run.run(frame).trace.result;
   if (frame.step < 0 || !(result.distance > 0.0)) return false;
+  if (run.lesson.dimension == 3) return false;  // a point of a picture is a line in space
   const LessonShape& shape = ask == asks::kClosestX.name ? run.lesson.x() : run.lesson.y();
   if (shape.vertices.size() < 2) return false;
   bool along_x = false;

@@ -15,6 +15,7 @@ inline constexpr AskInfo kRegion{"region", "the region that holds the query poin
 inline constexpr AskInfo kDropped{"dropped", "the vertices that are dropped"};
 inline constexpr AskInfo kSupport{"support", "the next support point"};
 inline constexpr AskInfo kStop{"stop", "whether the run stops, and why"};
+inline constexpr AskInfo kWhy{"why", "why the run ends: one true reason, two that the run refutes"};
 inline constexpr AskInfo kClosest{"closest", "the closest point: where it is", "at position"};
 inline constexpr AskInfo kClosestX{"closest-x", "the closest point of X: where it is",
                                    "at position"};
@@ -23,7 +24,7 @@ inline constexpr AskInfo kClosestY{"closest-y", "the closest point of Y: where i
 inline constexpr AskInfo kSign{"sign", "which barycentric coordinate is negative", "at position"};
 inline constexpr AskInfo kFoot{"foot", "the foot of the perpendicular: where it is", "at position"};
 inline constexpr std::array kOfAnswers = {kClosestX, kClosestY};
-inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop};
+inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop, kWhy};
 }  // namespace asks
 
 /// True for a step that tells what is asked for. P tells which vertices will be dropped, and what

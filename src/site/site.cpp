@@ -20,6 +20,7 @@
 #include "lesson/save.hpp"
 #include "paint/svg.hpp"
 #include "site/still.hpp"
+#include "subjects/course_map/tiles.hpp"
 #include "subjects/subjects.hpp"
 #include "web/player.hpp"
 
@@ -625,19 +626,17 @@ class SiteWriter {
                   [](const Mark& mark) { return mark.role.starts_with("view-title"); });
     for (Mark& mark : picture.marks) {
       if (mark.role == "map.title") std::get<Text>(mark.shape).style = type::kText;
-      if (!mark.role.starts_with("map.tile")) continue;
-      constexpr double kTitle = 30.0;  // below a tile
-      mark.role = "map.tile";          // no chapter is the current one
+      if (mark.role.starts_with("map.tile")) mark.role = "map.tile";  // none is the current one
+    }
+    for (const Rect& tile : tiles_of_map(picture)) {
       ++chapter;
       const auto title = chapters.find(chapter);
-      const Rect& tile = std::get<Box>(mark.shape).rect;
       links += fmt::format(
           "<a href=\"#chapter-{}\" aria-label=\"Chapter {}: {}\" style=\"left: {:.2f}%; top: "
           "{:.2f}%; width: {:.2f}%; height: {:.2f}%\"></a>\n",
           chapter, chapter, title == chapters.end() ? "" : escape_html(title->second),
           percent(tile.min.x(), picture.width), percent(tile.min.y(), picture.height),
-          percent(tile.size().x(), picture.width),
-          percent(tile.size().y() + kTitle, picture.height));
+          percent(tile.size().x(), picture.width), percent(tile.size().y(), picture.height));
     }
     return fmt::format("<nav class=\"map\" aria-label=\"Chapters\">{}\n{}</nav>\n",
                        images_of(picture, "map"), links);

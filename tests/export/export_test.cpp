@@ -435,6 +435,22 @@ TEST_F(Export, TheContactSheetShowsEveryFrameWithItsWords) {
   EXPECT_EQ(html.find("http"), std::string::npos) << "it works offline";
 }
 
+TEST_F(Export, TheContactSheetHasTheMapOfTheCourseWithLinksToItsChapters) {
+  ExportOptions with_index = options();
+  with_index.index = true;
+  with_index.format = Format::png;
+  static_cast<void>(export_lessons(
+      {lesson("course-map"), lesson("segment-closest"), lesson("polygons-gjk")}, with_index));
+  const std::string html = read(with_index.out_dir / "index.html");
+  const std::size_t map = html.find("<div class=\"map\">");
+  ASSERT_NE(map, std::string::npos);
+  const std::string links = html.substr(map, html.find("</div>", map) - map);
+  // Chapters 1 and 4 have lessons here.
+  EXPECT_NE(links.find("<a href=\"#segment-closest\" aria-label=\"Chapter 1\""), std::string::npos);
+  EXPECT_NE(links.find("<a href=\"#polygons-gjk\" aria-label=\"Chapter 4\""), std::string::npos);
+  EXPECT_EQ(links.find("Chapter 2"), std::string::npos) << "no lesson of it was exported";
+}
+
 TEST_F(Export, BelowStagesStandsACaptionWhereItIsAskedFor) {
   ExportOptions slide = options();
   slide.format = Format::svg;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "subjects/course_map/tiles.hpp"
 #include "subjects/guess/subject.hpp"
 #include "subjects/subjects.hpp"
 
@@ -237,6 +238,17 @@ const Act kAct{
 }  // namespace gjkscope::maps_of_course
 
 namespace gjkscope {
+
+std::vector<Rect> tiles_of_map(const Picture& picture) {
+  constexpr double kTitle = 30.0;  // below a tile
+  std::vector<Rect> tiles;
+  for (const Mark& mark : picture.marks) {
+    if (!mark.role.starts_with("map.tile")) continue;
+    tiles.push_back(std::get<Box>(mark.shape).rect);
+    tiles.back().max.y() += kTitle;
+  }
+  return tiles;
+}
 
 const SubjectParts subjects::course_map{
     .acts = {&maps_of_course::kAct},

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "outlines/polygon.hpp"
 #include "picture/story.hpp"
@@ -105,6 +107,40 @@ class Asking {
         "Question: will GJK stop in this iteration, and by which test? V is the support point.";
   }
 
+  void why() {
+    const WideState& end = step_.after;
+    const std::string& q = story_.q;
+    asked_.answer = true_reason(end.stop);
+    // Reasons that students give, as far as this run refutes them.
+    std::vector<std::pair<std::string, std::string>> wrong;
+    if (end.p_sq > 0.0)
+      wrong.emplace_back(fmt::format("P has reached {}", q),
+                         fmt::format("P is {} from {}", story_.numbers(std::sqrt(end.p_sq)), q));
+    const std::size_t all = run_.lesson.x().vertices.size() * run_.lesson.y().vertices.size();
+    if (const std::size_t tried = vertices_of_run(); tried < all)
+      wrong.emplace_back(run_.point_query()
+                             ? fmt::format("every vertex of {} has been in S", story_.set_name())
+                             : std::string("every difference y − x has been in S"),
+                         fmt::format("{} of {} have", tried, all));
+    if (end.simplex.count > 1)
+      wrong.emplace_back("P is a vertex of S",
+                         fmt::format("{} vertices have a weight in P", end.simplex.count));
+    if (end.stop != gjk::StopReason::origin_inside)
+      wrong.emplace_back(
+          fmt::format("{} lies inside S", q),
+          fmt::format("S has {} vertices, too few for an inside", end.simplex.count));
+    constexpr std::size_t kWrong = 2;
+    wrong.resize(std::min(wrong.size(), kWrong));
+    for (const auto& [reason, fact] : wrong) {
+      asked_.choices.push_back(reason);
+      asked_.refuted += fmt::format(" Not because {}: {}.", reason, fact);
+    }
+    const auto place = static_cast<std::ptrdiff_t>(step_.iteration) %
+                       static_cast<std::ptrdiff_t>(asked_.choices.size() + 1);
+    asked_.choices.insert(asked_.choices.begin() + place, asked_.answer);
+    text_.caption = "Question: GJK stops here. Why?";
+  }
+
   void closest() {
     const gjk::FaceList faces =
         gjk::tested_faces(before_.simplex.count, gjk::RegionOrder::vertices_first);
@@ -163,6 +199,24 @@ class Asking {
   }
 
  private:
+  [[nodiscard]] std::string true_reason(gjk::StopReason stop) const {
+    using Stop = gjk::StopReason;
+    return stop == Stop::origin_inside    ? fmt::format("{} lies inside S", story_.q)
+           : stop == Stop::zero_direction ? fmt::format("P has reached {}", story_.q)
+           : stop == Stop::not_nearer     ? fmt::format("P came no closer to {}", story_.q)
+                                          : "no vertex lies farther along d than P";
+  }
+  /// How many vertices have been in the simplex.
+  [[nodiscard]] std::size_t vertices_of_run() const {
+    std::set<std::pair<int, int>> pairs;
+    const auto add = [&](const WideSimplex& simplex) {
+      for (int i = 0; i < simplex.count; ++i)
+        pairs.emplace(simplex.vertices[i].pair.x, simplex.vertices[i].pair.y);
+    };
+    add(story_.trace.initial.simplex);
+    for (const WideStep& step : story_.trace.steps) add(step.after.simplex);
+    return pairs.size();
+  }
   [[nodiscard]] Eigen::Vector2d q() const {
     return in_plane(run_.run(story_.frame).x().world.front());
   }
@@ -209,6 +263,7 @@ void question(const Story& story, FrameText& text) {
   if (ask == asks::kRegion.name) asking.region();
   if (ask == asks::kDropped.name) asking.dropped();
   if (ask == asks::kStop.name) asking.stop();
+  if (ask == asks::kWhy.name) asking.why();
   if (ask == asks::kClosest.name) asking.closest();
   if (ask == asks::kSign.name) asking.sign();
   if (ask == asks::kFoot.name) asking.foot();

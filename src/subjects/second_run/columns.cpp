@@ -131,10 +131,12 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
       [&](const RunColumn& column) { return panel.run.pair_name(column.state->support.pair); },
       as_it_is);
   row(
-      "stops", known(Phase::stop),
-      [](const RunColumn& column) {
-        if (column.state->stop == gjk::StopReason::iteration_cap) return std::string("cut off");
-        return std::string(column.state->stop == gjk::StopReason::running ? "no" : "yes");
+      "stops", panel.knows.phase.has_value(),
+      [&](const RunColumn& column) {
+        const gjk::StopReason stop = column.state->stop;  // one run may have ended before the other
+        if (stop == gjk::StopReason::iteration_cap) return std::string("cut off");
+        if (stop != gjk::StopReason::running) return std::string("yes");
+        return std::string(known(Phase::stop) ? "no" : "–");
       },
       as_it_is);
 }

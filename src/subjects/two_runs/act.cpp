@@ -54,6 +54,14 @@ struct Shown {
     const int end = static_cast<int>(both.runs[which].runs[0].trace.steps.size()) - 1;
     return {.step = is_answer ? end : both.shown[static_cast<std::size_t>(step)].at[which]};
   }
+  /// The second run ended in a step before the frame's.
+  [[nodiscard]] bool second_has_ended() const {
+    if (is_answer) return false;
+    const std::vector<WideStep>& steps = both.runs[1].runs[0].trace.steps;
+    const TwoRunsStep& now = both.shown[static_cast<std::size_t>(step)];
+    if (now.at[1] < 0 || static_cast<std::size_t>(now.at[1]) + 1 != steps.size()) return false;
+    return steps.back().iteration < now.iteration || steps.back().phase < now.phase;
+  }
   [[nodiscard]] double answer(std::size_t which) const {
     return which == 0 ? both.exact : both.answer("second-distance");
   }
@@ -150,6 +158,9 @@ std::string second_step(const Shown& shown, const Numbers& numbers) {
   const LessonRun& run = shown.both.runs[1];
   const WideState& state = run.state(shown.frame_of(1));
   const std::string name = capitalized(shown.name());
+  if (shown.second_has_ended()) {
+    return fmt::format("{} has ended, with the distance {}.", name, numbers(shown.answer(1)));
+  }
   if (step.phase == Phase::closest)
     return fmt::format("{}: P = {}, {} from the origin.", name, numbers.point(state.p),
                        numbers(std::sqrt(state.p_sq)));
