@@ -78,8 +78,8 @@ TEST(Growth, AScanLooksAtEveryVertexAndFindsWhatAClimbFinds) {
   const std::vector<Vector2d> mixed = shuffled(x);
   gjk::Query<double, 2> climbed{{x}, {x}};
   gjk::Query<double, 2> scanned{{mixed}, {mixed}};
-  ASSERT_TRUE((gjk::measured<double, 2>(x).is_ring));
-  ASSERT_FALSE((gjk::measured<double, 2>(mixed).is_ring));
+  ASSERT_TRUE((gjk::Measures<double, 2>(x).is_ring));
+  ASSERT_FALSE((gjk::Measures<double, 2>(mixed).is_ring));
   for (auto* query : {&climbed, &scanned}) query->y.pose.translation = Vector2d(2.5, 1.5);
   const auto by_climb = gjk::trace(climbed, {});
   const auto by_scan = gjk::trace(scanned, {});

@@ -70,7 +70,7 @@ void warm_start(const Story& story, FrameText& text) {
         starts, count);
   }
   text.detail = result.distance > 0.0
-                    ? fmt::format("Closest are {}, {} apart.", story.closest_features(),
+                    ? fmt::format("Closest: {}, {} apart.", story.closest_features(),
                                   story.numbers(result.distance))
                     : fmt::format("{} and {} overlap: O lies in Z.", story.run.lesson.x().name,
                                   story.run.lesson.y().name);
@@ -201,8 +201,7 @@ void answer(const Story& story, FrameText& text) {
       "{}{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
       is_round ? "Without their radii, " : "", story.run.lesson.x().name, story.run.lesson.y().name,
       story.numbers(story.trace.result.distance));
-  text.detail =
-      fmt::format("Closest are {}, so P {}.", story.closest_features(), place_of_p(story));
+  text.detail = fmt::format("Closest: {}, so P {}.", story.closest_features(), place_of_p(story));
 }
 
 void witness(const Story& story, FrameText& text) {
@@ -234,7 +233,7 @@ void witness(const Story& story, FrameText& text) {
           fmt::format("y − x = {} − {} = {} = P, so |y − x| = |P| = {}.",
                       story.numbers.point(result.y), story.numbers.point(result.x),
                       story.numbers.point(result.y - result.x), story.numbers(result.distance));
-      text.detail = fmt::format("Closest are {}: the two letters of each difference say which.",
+      text.detail = fmt::format("Closest: {}: the two letters of each difference say which.",
                                 story.closest_features());
   }
 }

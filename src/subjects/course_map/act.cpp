@@ -31,7 +31,7 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Point to polygon", "Chapter 3: which point of a convex polygon is closest to Q? This is GJK.",
      "A triangle inside the polygon stands in for it, and is changed until it holds the answer."},
     {"Polygon to polygon", "Chapter 4: which points of two convex polygons are closest?",
-     "Subtracted from each other they make one polygon, and Q becomes the origin O."},
+     "The differences of their points form one polygon, and the origin O stands in for Q."},
     {"Minkowski sums", "Chapter 5: what else the difference of two shapes tells.",
      "Moving among obstacles, proofs that an answer is right, how deep shapes overlap."},
     {"Numerics", "Chapter 6: what rounding does to all this.",
@@ -40,7 +40,7 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
      "Walking along both outlines, cutting into convex pieces, trees of boxes and circles."},
     {"Mistakes",
      "Chapter 8: what goes wrong in programs, and how to find the step that is to blame.",
-     "Loops with one wrong line run beside the right one until the two part."},
+     "A loop with one wrong line runs beside the right loop until they differ."},
     {"In space", "Chapter 9: the same loop for polyhedra.",
      "Solids instead of polygons: what stays as it was, and what is new."},
 }};
@@ -97,14 +97,15 @@ void question(const Story& story, FrameText& text) {
   text.caption = next == kOfGjk
                      ? "Question: two polygons, any of their points. Which solved problem can this "
                        "become?"
-                     : "Question: a polygon of 100 corners. Which solved problem is of use, again "
+                     : "Question: a polygon of 100 vertices. Which solved problem is of use, again "
                        "and again?";
 }
 
 void words(const Story& story, FrameText& text) {
   const int chapter = told(story.frame);
   if (chapter == 0) {
-    text.caption = "The way of this course: each problem makes use of the one before.";
+    text.caption =
+        "A map of this course: each problem makes use of the one that its arrow points to.";
     text.detail =
         "Its goal is GJK, named after Gilbert, Johnson and Keerthi, who published it in 1988. It "
         "follows Catto (2010) and Larsen (1998).";

@@ -83,11 +83,9 @@ void pairs(const Story& story, FrameText& text) {
       return;
     case BuildPart::slide:
       text.caption = fmt::format(
-          "Put −{0} at each vertex of {1}: its vertices are the same {2} differences.", x, y, all);
-      text.detail = fmt::format(
-          "The O of −{0} lies on the vertex of {1}. Slide it round {1}, and −{0} "
-          "sweeps over Z.",
-          x, y);
+          "Put −{0}, by its O, on each vertex of {1}: the copies have the same {2} differences.", x,
+          y, all);
+      text.detail = fmt::format("Put it on every point of {1}, and −{0} covers Z.", x, y);
       return;
     case BuildPart::hull:
       return hull(story, text, all);

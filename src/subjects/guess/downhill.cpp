@@ -170,7 +170,7 @@ void question(const Story& story, FrameText& text) {
     const Vector2d along = shown.value.outline[to] - shown.value.outline[from];
     asked.choices = {y.vertex_names[from], y.vertex_names[to]};
     asked.answer = asked.choices[(next.at - at).dot(along) < 0.0 ? 0 : 1];
-    text.caption = fmt::format("Question: towards which end of {} does {} come closer?",
+    text.caption = fmt::format("Question: towards which end of {} does the walk get closer to {}?",
                                edge_name(story.run, next.edge), story.q);
     return;
   }
@@ -196,10 +196,10 @@ void words(const Story& story, FrameText& text) {
   if (shown.tells && !on_hull) {
     text.caption = fmt::format("The closest point is only {} from {}. The walk is stuck at {}.",
                                away(value.closest), story.q, away(value.on_outline.back().at));
-    text.detail =
+    text.detail = fmt::format(
         "A shape is convex if it holds the straight way between any two of its points. This one "
-        "does "
-        "not: the dashed way leaves it, and along the outline one would first go away.";
+        "does not: the dashed way leaves it, and the outline first leads away from {}.",
+        story.q);
     return;
   }
   if (stop == 0) {
@@ -216,9 +216,10 @@ void words(const Story& story, FrameText& text) {
   if (on_hull && ends) {
     text.caption =
         fmt::format("On the hull the walk ends at the closest point, {} from {}.", now, story.q);
-    text.detail =
-        "A convex shape holds all straight ways. So the way to the closest point is never barred, "
-        "and on it the distance falls all the way.";
+    text.detail = fmt::format(
+        "A convex shape holds the straight way from any start to the closest point, and along it "
+        "the distance to {} always falls.",
+        story.q);
     return;
   }
   text.caption = fmt::format("{}: the distance to {} falls from {} to {}.",
@@ -228,8 +229,7 @@ void words(const Story& story, FrameText& text) {
                              story.q, was, now);
   if (on_hull) {
     text.detail =
-        "The convex hull is the least convex shape around the same points. No dent is in "
-        "the way.";
+        "The convex hull is the smallest convex shape around the same points. It has no dent.";
   } else if (ends) {
     text.detail = fmt::format("On both sides {} is farther: the walk stops.", story.q);
   } else {

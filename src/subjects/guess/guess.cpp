@@ -114,8 +114,8 @@ void words(const Story& story, FrameText& text) {
       text.caption =
           fmt::format("From each vertex the way to the other shape is {} or more.", distance);
       text.detail =
-          "Drawn from the two nearest of each shape. A guess of one of them is wrong by what it is "
-          "longer.";
+          "Drawn from the two nearest vertices of each shape. A guess is wrong by its extra "
+          "length.";
       return;
     case Part::slab:
       text.caption = fmt::format(

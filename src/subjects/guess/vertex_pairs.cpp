@@ -118,7 +118,7 @@ void words(const Story& story, FrameText& text) {
       text.caption = fmt::format("The closest points are only {} apart: {} less.",
                                  story.numbers(distance), story.numbers(two.distance - distance));
       text.detail =
-          fmt::format("Closest are {} of {} and {} of {}.",
+          fmt::format("Closest: {} of {} and {} of {}.",
                       feature_name(story.run, story.trace.result.simplex, true), lesson.x().name,
                       feature_name(story.run, story.trace.result.simplex, false), lesson.y().name);
       return;

@@ -120,8 +120,7 @@ void issue_solved(const Story& story, FrameText& text) {
     case IssueKind::edge:
       text.caption =
           fmt::format("Case 3b: either normal of the edge will do. GJK stops: {}.", why(story));
-      text.detail =
-          "Outwards the support point is an end of the edge. Inwards it is new, but P stays.";
+      text.detail = "Outwards V is in S already. Inwards V is new, but P comes no closer.";
       return;
     case IssueKind::interior:
       text.caption =

@@ -125,16 +125,19 @@ void orders(const Story& story, FrameText& text) {
   const std::string taken = story.words.face(chain.region);
   if (chain.error > 0.0) {
     text.caption = fmt::format(
-        "{} first: the short test of {} is true in the whole shaded half-plane. It gives P′, wrong "
-        "by |P′ − P| = {}.",
-        chain.order == gjk::RegionOrder::edges_first ? "Edges" : "Vertices", taken,
-        story.numbers(chain.error));
+        "{} the short test of {} is true in the whole shaded half-plane. It gives P′, wrong by "
+        "|P′ − P| = {}.",
+        chain.order == gjk::RegionOrder::edges_first ? "Edges first:"
+                                                     : "No vertex test is true, then",
+        taken, story.numbers(chain.error));
     const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
                                  [](double weight) { return weight < 0.0; });
     text.detail = fmt::format(
-        "P′ {}: it is {} from {}, the triangle {}. Next: {}.",
-        off ? "is not even on " + taken : "is on the wrong edge", distance, story.q,
-        story.distance(),
+        "{} Next: {}.",
+        off ? fmt::format("P′, the projection of {} onto the line {}, is not on the edge.", story.q,
+                          taken)
+            : fmt::format("P′ is on the wrong edge: it is {} from {}, and P is {}.", distance,
+                          story.q, story.distance()),
         stage == OrderStage::vertices_first_short ? "the same tests, edges first" : "whole tests");
   } else if (stage == OrderStage::vertices_first_short) {
     text.caption =
@@ -151,7 +154,9 @@ void orders(const Story& story, FrameText& text) {
         fmt::format("{} projects onto the edge itself, so P′ = P. Next: whole tests.", story.q);
   } else {
     text.caption = fmt::format(
-        "Whole tests also ask for u, v > 0 on the edge. Edges first, they still give {}.", region);
+        "A whole test also asks whether {} projects onto the edge. Edges first, whole tests still "
+        "give {}.",
+        story.q, region);
     text.detail = fmt::format(
         "P′ = P, at distance {}. No two of these six tests are true at once, so any order works. "
         "The interior has no test of its own.",

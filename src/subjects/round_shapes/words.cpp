@@ -18,7 +18,7 @@ void round_shapes(const Story& story, FrameText& text) {
           : fmt::format("the radius {}", story.numbers(round->radii));
   if (!(distance > 0.0)) {
     text.detail +=
-        fmt::format(" Rounded, they overlap by {} or more.", story.numbers(round->radii));
+        fmt::format(" The round shapes overlap by {} more.", story.numbers(round->radii));
     return;
   }
   const std::string answer = fmt::format("GJK's distance {}", story.numbers(distance));

@@ -175,8 +175,8 @@ void areas(const Story& story, FrameText& text) {
   if (count == 0) {
     text.caption = fmt::format("{} lies inside: all three areas are positive and together fill {}.",
                                story.q, whole);
-    text.detail = fmt::format("u + v + w = {}. The linear system says the same: uA + vB + wC = {}.",
-                              sum, story.q);
+    text.detail =
+        fmt::format("u + v + w = {}. The areas are weights, too: uA + vB + wC = {}.", sum, story.q);
     return;
   }
   text.caption = fmt::format("{} {} negative: {} lies beyond {}.", negatives,
@@ -219,7 +219,7 @@ void features(const Story& story, FrameText& text) {
           "{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
           story.q, name);
       text.detail = fmt::format(
-          "Every other point of {} is farther, and the interior lies behind them. So P = {}, at "
+          "Every other point of {} is farther, and every way inside crosses them. So P = {}, at "
           "distance {}.",
           edges_at(story, face), name, story.distance());
       break;
@@ -282,7 +282,8 @@ void projection(const Story& story, FrameText& text) {
               : fmt::format("{0} projects to G, beyond {1}: {0} lies in region {1}, and P = {1}.",
                             story.q, end);
   text.detail = fmt::format(
-      "The distance is {}: every other point of {}{} is farther from G, and so from {}.",
+      "The distance is {}: every other point of {}{} is farther from G and so, by Pythagoras, from "
+      "{}.",
       story.distance(), a, b, story.q);
   const gjk::Face next = next_region(story);
   if (next == 0 || next == story.state.region) return;

@@ -89,7 +89,7 @@ class Asking {
                     : dropped.size() == 1 ? run_.pair_name(dropped[0].pair)
                                           : "two of them";
     text_.caption =
-        fmt::format("Question: which vertex of the {} can P do without, so that GJK drops it?",
+        fmt::format("Question: which vertex of the {} has no weight in P, so that GJK drops it?",
                     before_.simplex.count == 2   ? "segment"
                     : before_.simplex.count == 3 ? "triangle"
                                                  : "tetrahedron");
@@ -173,8 +173,10 @@ class Asking {
     if (negative > 1) asked_.answer = asked_.choices.back();
     text_.caption =
         simplex.count == 2
-            ? fmt::format("Question: is u or v negative? Point at the end that {} lies beyond.",
-                          story_.q)
+            ? fmt::format(
+                  "Question: is u, the weight of {}, or v, that of {}, negative? Point at the end "
+                  "that {} lies beyond.",
+                  words_.vertex(0), words_.vertex(1), story_.q)
             : fmt::format(
                   "Question: which of u, v and w is negative? Point at the edge that {} lies "
                   "beyond.",

@@ -283,7 +283,7 @@ void support(const Story& story, FrameText& text) {
                   story.numbers(farthest->value),
                   count == 2 ? "larger of the two" : fmt::format("largest of all {}", count))
             : fmt::format(
-                  "{0} lie equally far along d: each dot product is {1}. The scan keeps {2}, the "
+                  "{0} lie equally far along d: each dot product is {1}. GJK keeps {2}, the "
                   "first it saw.",
                   all, story.numbers(farthest->value), name);
   } else {
@@ -303,9 +303,9 @@ void support(const Story& story, FrameText& text) {
       text.detail = fmt::format("−d finds {}. {}", found,
                                 known && other->in_simplex ? "Both are in the simplex."
                                 : known || other->in_simplex
-                                    ? fmt::format("{} is in the simplex, {} is not.",
+                                    ? fmt::format("{} is in the simplex now, {} is not.",
                                                   known ? name : found, known ? found : name)
-                                    : "Neither is in the simplex.");
+                                    : "Neither is in the simplex now.");
     }
   }
   if (story.run.point_query()) return;
@@ -321,9 +321,8 @@ void stop(const Story& story, FrameText& text) {
   const std::string support = story.run.pair_name(story.state.support.pair);
   switch (story.state.stop) {
     case gjk::StopReason::running:
-      text.caption =
-          fmt::format("Go on: {} is not in the simplex, and lies {} farther along d than P.",
-                      support, story.numbers(farther_than_p(story)));
+      text.caption = fmt::format("Go on: {} is not in the simplex, and lies {} beyond P along d.",
+                                 support, story.numbers(farther_than_p(story)));
       text.detail =
           story.knows.is_at_query
               ? fmt::format("P = {} already, at distance 0, but no test of this step asks that.",

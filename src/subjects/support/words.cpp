@@ -71,12 +71,11 @@ void slab(const Story& story, FrameText& text) {
       widest ? fmt::format("Stop: the empty slab is as wide as the closest points are apart, {}.",
                            story.numbers(story.trace.result.distance))
              : fmt::format("Stop: no slab separates {} from {}.", lesson.x().name, lesson.y().name);
-  text.detail = widest
-                    ? fmt::format(
-                          "Closest are {}. No pair of points can be closer than the slab is wide: "
-                          "the slab proves the answer.",
-                          story.closest_features())
-                    : "The distance is 0.";
+  text.detail = widest ? fmt::format(
+                             "Closest: {}. No pair of points can be closer than the slab is wide: "
+                             "the slab proves the answer.",
+                             story.closest_features())
+                       : "The distance is 0.";
 }
 
 }  // namespace gjkscope::captions

@@ -37,9 +37,9 @@ void line(const Story& story, FrameText& text) {
   } else if (v < 0.0 || u < 0.0) {
     const bool before = v < 0.0;
     text.caption = fmt::format(
-        "G lies beyond {}: the arrow from {} to {} points against n, so {} = {} is negative, and "
-        "{} = {} is more than 1.",
-        before ? a : b, before ? a : "G", before ? "G" : b, before ? "v" : "u",
+        "G = u{} + v{} lies beyond {}: the arrow from {} to {} points against n, so {} = {} is "
+        "negative, and {} = {} is more than 1.",
+        a, b, before ? a : b, before ? a : "G", before ? "G" : b, before ? "v" : "u",
         weight(before ? v : u), before ? "u" : "v", weight(before ? u : v));
   } else {
     const bool at_b = v > 0.0;
