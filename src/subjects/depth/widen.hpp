@@ -75,7 +75,7 @@ template <class S>
   out.result.x = in_plane(widened<S, 2>(result.x));
   out.result.y = in_plane(widened<S, 2>(result.y));
   out.result.iterations = result.iterations;
-  out.result.edge = in_plane(widened(result.edge, trace.gjk.prepared.exponent));
+  out.result.face = in_plane(widened(result.face, trace.gjk.prepared.exponent));
   return out;
 }
 
