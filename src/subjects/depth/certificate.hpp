@@ -52,11 +52,6 @@ template <class R>
   return is_certain && turns == 1;
 }
 
-template <class R, class N>
-[[nodiscard]] Vec<R, 2> rounded(const Vec<N, 2>& a) {
-  return gjk::rounded<R, N, 2>(a);
-}
-
 /// Distance of O from the segment ab: as computed, and with what the digits of a and b leave open
 /// subtracted.
 template <class R>

@@ -8,7 +8,6 @@
 // tests/depth holds all of it against exact answers.
 
 #include "gjk/proof/answer.hpp"
-#include "gjk/proof/settle.hpp"
 #include "subjects/depth/reach.hpp"
 #include "subjects/depth/result.hpp"
 #include "subjects/depth_in_space/loop.hpp"
@@ -121,7 +120,7 @@ template <class R, class S, class N>
     for (int i = 0; i < 3; ++i) seen.vertices[i].w = seen.vertices[i].w - from;
     std::array<Vec<R, 3>, 3> corners;
     for (int i = 0; i < 3; ++i)
-      corners[static_cast<std::size_t>(i)] = gjk::rounded<R, Word, 3>(seen.vertices[i].w);
+      corners[static_cast<std::size_t>(i)] = gjk::converted<R, Word, 3>(seen.vertices[i].w);
     const auto distance_of = [&] {
       Vec<R, 3> off = Vec<R, 3>::Zero();
       for (std::size_t i = 0; i < 3; ++i) off = off + Vec<R, 3>(corners[i] * out.weights[i]);
@@ -168,7 +167,7 @@ template <class R, class S>
   // The normal of the corners as they are, and if that turns too much as they are kept.
   const gjk::Simplex<Word, 3> careful =
       gjk::careful_simplex(pairs_of<R>(polytope, face), query, prepared);
-  look_along(gjk::rounded<R, Word, 3>(gjk::normal_of(careful, careful.all())));
+  look_along(gjk::converted<R, Word, 3>(gjk::normal_of(careful, careful.all())));
   const R nearest = inner_distance(face.distance_sq);
   const auto is_close = [&] { return reach - nearest <= R(kAllowedGap) * u * size; };
   if (gjk::is_zero(out.direction) || !is_close()) look_along(state.n);
@@ -195,7 +194,7 @@ template <class R, class S>
   run(end, query, exact);
   const Face<Expansion>& face = end.polytope.faces[end.face];
 
-  const Vec<Wide, 3> n = gjk::rounded<Wide, Expansion, 3>(end.n);
+  const Vec<Wide, 3> n = gjk::converted<Wide, Expansion, 3>(end.n);
   const Wide n_length = gjk::careful_length(n);
   for (int i = 0; i < 3; ++i) out.direction[i] = static_cast<R>(n[i] / n_length);
   out.is_tight = true;
@@ -205,9 +204,10 @@ template <class R, class S>
   const Vec<Expansion, 3> along_it = gjk::converted<Expansion, R, 3>(out.direction);
   const auto farthest =
       gjk::support_point(query, exact, gjk::farthest_pair(query, exact, along_it));
-  const Wide direction_length = gjk::length(gjk::rounded<Wide, Expansion, 3>(along_it));
-  const Wide reach = gjk::rounded<Wide>(gjk::dot(along_it, farthest.w)) / direction_length;
-  const Wide nearest = std::sqrt(gjk::rounded<Wide>(face.distance_sq));
+  const Wide direction_length = gjk::length(gjk::converted<Wide, Expansion, 3>(along_it));
+  const Wide reach =
+      gjk::ScalarTraits<Wide>::from(gjk::dot(along_it, farthest.w)) / direction_length;
+  const Wide nearest = std::sqrt(gjk::ScalarTraits<Wide>::from(face.distance_sq));
 
   constexpr int kRoundings = 6;  // of a few in Wide, and those below
   const R few = R(kRoundings) * gjk::ScalarTraits<R>::unit_roundoff();

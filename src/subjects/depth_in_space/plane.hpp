@@ -44,7 +44,7 @@ template <class R>
 /// The way from a to b, rounded once.
 template <class R>
 [[nodiscard]] Vec<Plain<R>, 3> rounded_way(const Vec<R, 3>& a, const Vec<R, 3>& b) {
-  return gjk::rounded<Plain<R>, R, 3>(Vec<R, 3>(b - a));
+  return gjk::converted<Plain<R>, R, 3>(Vec<R, 3>(b - a));
 }
 
 template <class R>
@@ -55,8 +55,8 @@ template <class R>
   if constexpr (kIsExpansion<R>) {
     Vec<Word<R>, 3> out;
     for (int i = 0; i < 3; ++i) {
-      const auto most = gjk::rounded<Plain<R>>(a[i]);
-      out[i] = {most, gjk::rounded<Plain<R>>(a[i] - Expansion(most))};
+      const auto most = gjk::ScalarTraits<Plain<R>>::from(a[i]);
+      out[i] = {most, gjk::ScalarTraits<Plain<R>>::from(a[i] - Expansion(most))};
     }
     return out;
   } else {
@@ -144,8 +144,8 @@ template <class R>
   const Plane<Expansion> plane = plane_in<Expansion>(from, Vec<Expansion, 3>(exact(b) - from),
                                                      Vec<Expansion, 3>(exact(c) - from));
   using Wide = gjk::Wider<Plain<R>>;  // products of three lengths may leave the range of R
-  return in_good_unit<Plain<R>>(
-      Plane<Wide>{gjk::rounded<Wide, Expansion, 3>(plane.n), gjk::rounded<Wide>(plane.side)});
+  return in_good_unit<Plain<R>>(Plane<Wide>{gjk::converted<Wide, Expansion, 3>(plane.n),
+                                            gjk::ScalarTraits<Wide>::from(plane.side)});
 }
 
 }  // namespace detail
@@ -158,12 +158,12 @@ template <class R>
                                                     const Vec<R, 3>& c) {
   using N = detail::Plain<R>;
   using Word = detail::Word<R>;
-  const auto rounded = [](const Vec<Word, 3>& v) { return gjk::rounded<N, Word, 3>(v); };
+  const auto rounded = [](const Vec<Word, 3>& v) { return gjk::converted<N, Word, 3>(v); };
   const Vec<Word, 3> ab = detail::way_in_words(a, b);
   const Vec<Word, 3> ac = detail::way_in_words(a, c);
   const Vec<Word, 3> from = detail::in_words(a);
   const Plane<Word> words = detail::plane_in<Word>(from, ab, ac);
-  const Plane<N> plane{rounded(words.n), gjk::rounded<N>(words.side)};
+  const Plane<N> plane{rounded(words.n), gjk::ScalarTraits<N>::from(words.side)};
   // Words err by about 24 u^2 of the products of their lengths in n, 40 u^2 in side.
   const N enough = N(512) * gjk::ScalarTraits<N>::unit_roundoff();
   const N least = std::numeric_limits<N>::min() / enough;
