@@ -1,8 +1,7 @@
 #pragma once
 // Pairs that meet, of every family, and what is asked of their depths.
 
-#include "subjects/depth/depth.hpp"
-#include "subjects/depth_in_space/depth.hpp"
+#include "depth/instances.hpp"
 #include "truth.hpp"
 
 namespace test {

@@ -39,10 +39,10 @@ void expect_right(const Pair& given) {
     const auto check = [&](const auto& result) {
       EXPECT_EQ("", broken_bar(result, judge(result, truth), kBars));
     };
-    check(depth::penetration(pair.query()));
+    check(depth::penetration<double>(pair.query()));
     check(depth::penetration<Eigen::half>(families::converted<Eigen::half>(pair).query()));
     check(depth::penetration<float>(families::converted<float>(pair).query()));
-    const auto exact = depth::penetration(in_rationals(pair).query());
+    const auto exact = depth::penetration<Rational>(in_rationals(pair).query());
     EXPECT_EQ(truth.verdict, exact.verdict);
     if (truth.verdict == Verdict::separated) continue;
     const Rational depth_sq = gjk::dot(exact.translation, exact.translation);
@@ -59,7 +59,7 @@ TEST(DepthInSpace, OfShapesThatOverlap) {
   expect_right({kCube, box({0.25, 0.25, 0.25}, {0.125, 0, 0})});  // one inside the other
   expect_right({kCube, {{0, 0, 0.5}, {3, 2, 1}, {2, 3, 4}, {0, 3, 3}}});
   expect_right({kTetrahedron, {{1, 1, -1}, {2, 0.5, 5}}});
-  const auto result = depth::penetration(beside.query());
+  const auto result = depth::penetration<double>(beside.query());
   EXPECT_EQ(0.5, result.depth);
   EXPECT_EQ(Point(-1, 0, 0), result.direction);
   EXPECT_EQ(Point(-0.5, 0, 0), result.translation);
@@ -70,7 +70,7 @@ TEST(DepthInSpace, OfShapesThatOverlap) {
 TEST(DepthInSpace, OfIdenticalShapes) {
   expect_right({kCube, kCube});
   expect_right({kTetrahedron, kTetrahedron});
-  EXPECT_EQ(2, depth::penetration(Pair{kCube, kCube}.query()).depth);
+  EXPECT_EQ(2, depth::penetration<double>(Pair{kCube, kCube}.query()).depth);
 }
 
 TEST(DepthInSpace, IsZeroWhereShapesTouch) {
@@ -96,7 +96,7 @@ TEST(DepthInSpace, IsZeroWhereShapesTouch) {
   };
   for (const Pair& pair : pairs) {
     expect_right(pair);
-    const auto result = depth::penetration(pair.query());
+    const auto result = depth::penetration<double>(pair.query());
     EXPECT_EQ(Verdict::touching, result.verdict);
     EXPECT_EQ(0, result.depth);
     EXPECT_EQ(0, result.upper);
@@ -120,7 +120,7 @@ TEST(DepthInSpace, WhereGjkEndsBesideAFullSimplex) {
   };
   for (const Pair& pair : pairs) {
     expect_right(pair);
-    EXPECT_EQ(Verdict::overlapping, depth::penetration(pair.query()).verdict);
+    EXPECT_EQ(Verdict::overlapping, depth::penetration<double>(pair.query()).verdict);
   }
   // Whatever simplex it starts from, also one with all of its vertices in one place.
   const Pair pair{kCube, box({0.5, 0.25, 1}, {0.25, 0.25, 0.125})};
@@ -144,7 +144,7 @@ TEST(DepthInSpace, StartsFromAnyPointsOfZ) {
   const Pair pair{kCube, box({0.5, 0.25, 1}, {0.25, 0.25, 0.125})};
   const auto query = pair.query();
   const auto prepared = gjk::prepare<double>(query, {});
-  const double depth = depth::penetration(query).depth;
+  const double depth = depth::penetration<double>(query).depth;
   families::Source source(6);
   for (int i = 0; i < 400; ++i) {
     gjk::Result<double, 3> found;
@@ -161,13 +161,13 @@ TEST(DepthInSpace, StartsFromAnyPointsOfZ) {
 TEST(DepthInSpace, OfShapesOfVeryDifferentSizes) {
   const double speck = 0x1p-27;
   const Pair with_speck{kCube, box({speck, speck, speck}, {0.5, 0.25, 0.125})};
-  const auto found = depth::penetration(with_speck.query());
+  const auto found = depth::penetration<double>(with_speck.query());
   EXPECT_EQ("", broken_bar(found, judge(found, truth_of(with_speck)), kBars));
   const Pair far_inside{box({0x1p27, 0x1p27, 0x1p27}), box({1, 1, 1}, {5, 6, 7})};
-  EXPECT_EQ(0x1p27 - 7 + 1, depth::penetration(far_inside.query()).depth);
+  EXPECT_EQ(0x1p27 - 7 + 1, depth::penetration<double>(far_inside.query()).depth);
   for (const int exponent : {332, -332}) {
     const Pair pair = scaled(Pair{kCube, box({1, 1, 1}, {1.5, 0.25, 0.125})}, exponent);
-    const auto result = depth::penetration(pair.query());
+    const auto result = depth::penetration<double>(pair.query());
     EXPECT_EQ(std::ldexp(0.5, exponent), result.depth);
     EXPECT_EQ("", broken_bar(result, judge(result, truth_of(pair)), kBars));
   }
@@ -183,8 +183,9 @@ TEST(DepthInSpace, OfShapesApartIsANamedVerdict) {
 }
 
 TEST(DepthInSpace, RefusesWhatGjkRefuses) {
-  EXPECT_EQ(gjk::Error::x_has_no_vertices, depth::penetration(Pair{{}, kCube}.query()).error);
-  const auto result = depth::penetration(Pair{kCube, {{0, 0, std::nan("")}}}.query());
+  EXPECT_EQ(gjk::Error::x_has_no_vertices,
+            depth::penetration<double>(Pair{{}, kCube}.query()).error);
+  const auto result = depth::penetration<double>(Pair{kCube, {{0, 0, std::nan("")}}}.query());
   EXPECT_EQ(gjk::Error::y_not_finite, result.error);
   EXPECT_EQ(StopReason::failed, result.stop);
   EXPECT_EQ(Verdict::none, result.verdict);
@@ -194,17 +195,17 @@ TEST(DepthInSpace, IsProvedAsFarAsOptionsAsk) {
   const Pair pair{kCube, box({1, 1, 1}, {1.5, 0.25, 0.125})};
   gjk::Options options;
   options.proof = gjk::Proof::none;
-  const auto guessed = depth::penetration(pair.query(), options);
+  const auto guessed = depth::penetration<double>(pair.query(), options);
   EXPECT_EQ(0.5, guessed.depth);
   EXPECT_TRUE(std::isnan(guessed.lower));
   EXPECT_TRUE(std::isnan(guessed.upper));
   // Touching takes exact arithmetic.
   options.proof = gjk::Proof::bounds;
   const Pair touching{kCube, box({1, 1, 1}, {2, 0.25, 0.5})};
-  const auto bounded = depth::penetration(touching.query(), options);
+  const auto bounded = depth::penetration<double>(touching.query(), options);
   EXPECT_EQ(Verdict::undecided, bounded.verdict);
   EXPECT_EQ(StopReason::undecided, bounded.stop);
-  EXPECT_TRUE(depth::penetration(touching.query()).settled);
+  EXPECT_TRUE(depth::penetration<double>(touching.query()).settled);
 }
 
 /// Its faces are joined without a gap, and no corner lies outside of one of them.
@@ -239,6 +240,19 @@ void expect_convex(const depth::space::Polytope<double>& polytope) {
   ASSERT_EQ(0, alive % 2);
 }
 
+TEST(DepthInSpace, OfANeedleHasContactPointsInFloat) {
+  // Nearly on one line: float, and words of two, lose the areas of all faces that are near.
+  const Points x = {{-3.25, -2.75, -3.75}, {-4, -3, -4}, {1.25, -1.25, -2.25}, {-1, -2, -3}};
+  const Points y = {{-3.75, -2.91666675F, -3.91666675F},
+                    {-1.77635684e-15F, -1.66666663F, -2.66666675F},
+                    {1.5, -1.16666663F, -2.16666675F},
+                    {-4.5, -3.16666675F, -4.16666651F}};
+  for (const Pair& pair : {Pair{x, y}, Pair{y, x}}) {
+    const auto result = depth::penetration<float>(families::converted<float>(pair).query());
+    EXPECT_EQ("", broken_bar(result, judge(result, truth_of(pair)), kBars));
+  }
+}
+
 TEST(DepthInSpace, TraceTakesTheSameDecisionsAndKeepsEveryPhase) {
   families::Source source(7);
   std::array<int, depth::kPhaseCount> phases = {};
@@ -247,7 +261,7 @@ TEST(DepthInSpace, TraceTakesTheSameDecisionsAndKeepsEveryPhase) {
     const auto family = static_cast<DepthFamily>(i % kDepthFamilyCount);
     const Pair pair = meeting_pair(source, family, families::Representation::full_doubles);
     const auto trace = depth::space::trace(pair.query());
-    const auto result = depth::penetration(pair.query());
+    const auto result = depth::penetration<double>(pair.query());
     ASSERT_EQ(result.stop, trace.result.stop);
     ASSERT_EQ(result.verdict, trace.result.verdict);
     ASSERT_EQ(result.iterations, trace.result.iterations);
@@ -296,7 +310,7 @@ TEST(DepthInSpace, OfRoundShapesHasNoCapBelowManyFaces) {
   for (Point& vertex : pair.y) vertex += Point(1e-3, 7e-4, 5e-4);
   gjk::Options options;
   options.proof = gjk::Proof::bounds;
-  const auto result = depth::penetration(pair.query(), options);
+  const auto result = depth::penetration<double>(pair.query(), options);
   EXPECT_NE(StopReason::iteration_cap, result.stop);
   EXPECT_LT(1.9, result.lower);
   EXPECT_LE(result.upper - result.lower, 1e-13);
@@ -369,7 +383,7 @@ TEST(DepthInSpace, HoldsOnEveryFamilyAlsoTimesAPowerOfTwo) {
     for (const Point& p : pair.x) size = std::max(size, p.cwiseAbs().maxCoeff());
     tiny += 0.0 < size && size < 1e-95;
     huge += size > 1e95;
-    const auto result = depth::penetration(pair.query());
+    const auto result = depth::penetration<double>(pair.query());
     if (result.error == gjk::Error::none) {
       ++verdicts[static_cast<std::size_t>(result.verdict)];
       const Truth truth = truth_of(pair);

@@ -6,8 +6,8 @@
 // any direction Z reaches at least as far as it is deep, so the depth is the least reach over all
 // normals of these: Z itself need not be built.
 
+#include "depth/space/depth.hpp"
 #include "outlines/polyhedron.hpp"
-#include "subjects/depth_in_space/depth.hpp"
 #include "truth.hpp"
 
 namespace test::space {

@@ -1,8 +1,8 @@
 #pragma once
 // Traces of penetration depth in any scalar, widened to double for pictures and files.
 
+#include "depth/depth.hpp"
 #include "run/widen.hpp"
-#include "subjects/depth/depth.hpp"
 
 namespace gjkscope {
 

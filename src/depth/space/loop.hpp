@@ -19,8 +19,8 @@
 // none of the faces that stay holds the support point in its plane. O need not lie inside: a face
 // that O lies beyond counts as nearer than all others, and the polytope grows there first.
 
+#include "depth/space/state.hpp"
 #include "gjk/proof/result.hpp"
-#include "subjects/depth_in_space/state.hpp"
 
 namespace depth::space {
 namespace detail {

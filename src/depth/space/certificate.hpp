@@ -7,10 +7,10 @@
 // leave Y. If this proves too little the same loop runs in exact arithmetic, from GJK's simplex.
 // tests/depth holds all of it against exact answers.
 
+#include "depth/reach.hpp"
+#include "depth/result.hpp"
+#include "depth/space/loop.hpp"
 #include "gjk/proof/answer.hpp"
-#include "subjects/depth/reach.hpp"
-#include "subjects/depth/result.hpp"
-#include "subjects/depth_in_space/loop.hpp"
 
 namespace depth::space::detail {
 
@@ -121,17 +121,12 @@ template <class R, class S, class N>
     std::array<Vec<R, 3>, 3> corners;
     for (int i = 0; i < 3; ++i)
       corners[static_cast<std::size_t>(i)] = gjk::converted<R, Word, 3>(seen.vertices[i].w);
-    const auto distance_of = [&] {
-      Vec<R, 3> off = Vec<R, 3>::Zero();
-      for (std::size_t i = 0; i < 3; ++i) off = off + Vec<R, 3>(corners[i] * out.weights[i]);
-      return gjk::careful_length(off);
-    };
     out.weights = gjk::weights_of<R>(seen);
-    R distance = distance_of();
-    if (!(distance <= std::numeric_limits<R>::max())) {
+    if (std::any_of(out.weights.begin(), out.weights.end(), [](const R& w) { return w != w; }))
       weigh_edges(corners, out);
-      distance = distance_of();
-    }
+    Vec<R, 3> off = Vec<R, 3>::Zero();
+    for (std::size_t i = 0; i < 3; ++i) off = off + Vec<R, 3>(corners[i] * out.weights[i]);
+    const R distance = gjk::careful_length(off);
     if (!(distance < least)) continue;
     least = distance;
     best = out;

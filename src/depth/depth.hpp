@@ -5,8 +5,8 @@
 // To understand the algorithm, read state.hpp and loop.hpp. result.hpp says what is answered, and
 // certificate.hpp keeps rounding in check.
 
+#include "depth/certificate.hpp"
 #include "gjk/gjk.hpp"
-#include "subjects/depth/certificate.hpp"
 
 namespace depth {
 

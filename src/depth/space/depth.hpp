@@ -5,8 +5,8 @@
 // To understand the algorithm, read state.hpp and loop.hpp. ../depth/result.hpp says what is
 // answered; plane.hpp decides exactly, and certificate.hpp keeps rounding in check.
 
-#include "subjects/depth/depth.hpp"
-#include "subjects/depth_in_space/certificate.hpp"
+#include "depth/depth.hpp"
+#include "depth/space/certificate.hpp"
 
 namespace depth::space {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "subjects/depth/state.hpp"
-#include "subjects/depth_in_space/plane.hpp"
+#include "depth/space/plane.hpp"
+#include "depth/state.hpp"
 
 namespace depth::space {
 

@@ -1,8 +1,8 @@
 #pragma once
 // The answer: how far X must move, and where the shapes touch then.
 
+#include "depth/state.hpp"
 #include "gjk/proof/result.hpp"
-#include "subjects/depth/state.hpp"
 
 namespace depth {
 

@@ -7,12 +7,12 @@
 // If this proves too little the same loop runs in exact arithmetic, from GJK's simplex.
 // tests/depth holds all of it against exact answers.
 
+#include "depth/loop.hpp"
+#include "depth/reach.hpp"
+#include "depth/result.hpp"
 #include "gjk/proof/careful.hpp"
 #include "gjk/proof/certificate.hpp"
 #include "gjk/proof/settle.hpp"
-#include "subjects/depth/loop.hpp"
-#include "subjects/depth/reach.hpp"
-#include "subjects/depth/result.hpp"
 
 namespace depth::detail {
 
