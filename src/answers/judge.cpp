@@ -29,6 +29,7 @@ std::string judgement_json(const std::string& name, const judging::Judgement& ju
   out["iterations"] = judgement.iterations;
   out["distance"] = judgement.distance;
   out["overlap"] = judgement.overlap;
+  if (judgement.depth) out["depth"] = *judgement.depth;
   out["wrong"] = json_of(judgement.wrong);
   out["wrong_answer"] = json_of(judgement.answer);
   out["waste"] = json_of(judgement.waste);

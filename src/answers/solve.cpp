@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "answers/answers.hpp"
-#include "exact/instances.hpp"
+#include "depth/instances.hpp"
 #include "lesson/case.hpp"
 #include "lesson/names.hpp"
 #include "outlines/brute.hpp"
@@ -14,7 +14,6 @@
 #include "outlines/search.hpp"
 #include "run/scalar.hpp"
 #include "run/widen.hpp"
-#include "subjects/depth/lesson_trace.hpp"
 
 namespace gjkscope {
 namespace {
@@ -32,9 +31,9 @@ Json json_of(const gjk::Vec<S, D>& point) {
 }
 
 /// How deep shapes that overlap lie in each other. A number that exceeds the largest becomes null.
-template <class S>
-void add_depth(Json& answer, const Points<S, 2>& x, const Points<S, 2>& y) {
-  const auto result = depth::penetration<S>(gjk::Query<S, 2>{{x}, {y}});
+template <class S, int D>
+void add_depth(Json& answer, const Points<S, D>& x, const Points<S, D>& y) {
+  const auto result = depth::penetration<S>(gjk::Query<S, D>{{x}, {y}});
   answer["depth"] = widened(result.depth);
   answer["depth_lower"] = widened(result.lower);
   answer["depth_upper"] = widened(result.upper);
@@ -85,9 +84,7 @@ Json solve(const CaseIn<D>& value, Json answer) {
   answer["b"] = json_of(result.y);
   answer["iterations"] = result.iterations;
   answer["stop"] = name_of(result.stop);
-  if constexpr (D == 2) {
-    if (overlaps) add_depth(answer, x, y);
-  }
+  if (overlaps) add_depth<S, D>(answer, x, y);
   return answer;
 }
 

@@ -41,8 +41,9 @@ std::string text_of(const std::string& name, const Judgement& judgement) {
          fmt::format("waste: {}: {}", place_of(*judgement.waste), judgement.waste->what));
   if (!judgement.right()) return out;
   line(0,
-       fmt::format("right: {} {}, distance {:.10g}{}", judgement.iterations,
+       fmt::format("right: {} {}, distance {:.10g}{}{}", judgement.iterations,
                    judgement.iterations == 1 ? "iteration" : "iterations", judgement.distance,
+                   judgement.depth ? fmt::format(", depth {:.10g}", *judgement.depth) : "",
                    judgement.rounded ? fmt::format("; rounding up to {:.2g} u L, in {}",
                                                    judgement.rounding, place_of(*judgement.rounded))
                                      : ""));
@@ -63,7 +64,16 @@ Json json_of(const judging::FamilyTrial& trial) {
                      {"case", Json::parse(trial.smallest->text)},
                      {"answer", trial.smallest->answer},
                      {"distance", trial.smallest->distance}};
+  if (trial.smallest->fault == judging::Fault::depth)
+    out["smallest"]["depth"] = trial.smallest->depth;
   return out;
+}
+
+/// "distance is 0.5", or "depth is 0.25" where that is what is wrong.
+std::string truth_of(const judging::FailingCase& smallest) {
+  return smallest.fault == judging::Fault::depth
+             ? fmt::format("depth is {:.10g}", smallest.depth)
+             : fmt::format("distance is {:.10g}", smallest.distance);
 }
 
 /// The case beside its lesson.
@@ -81,7 +91,7 @@ void write_case(const std::filesystem::path& dir, const judging::FamilyTrial& tr
   const std::vector<ReadCase> read = parse_cases(smallest.text, name);
   Lesson lesson = lesson_of(*read.front().value, name, ScalarKind::double_);
   lesson.title = fmt::format("A case of the family {}", trial.family);
-  lesson.prose = fmt::format("The distance is {:.10g}.", smallest.distance);
+  lesson.prose = fmt::format("The {}.", truth_of(smallest));
   lesson.views = {{ViewKind::world, "X and Y", {}, {}},
                   {ViewKind::difference, "The difference Z = Y − X", {}, {}}};
   lesson.expect.stop =
@@ -183,8 +193,8 @@ int judge_programs_command(const Environment& env, const std::vector<std::string
                   << std::flush;
           if (trial.smallest)
             cases +=
-                fmt::format("{}: {}\n  the distance is {:.10g}, the program says: {:.200}\n  {}\n",
-                            trial.family, name_of(trial.smallest->fault), trial.smallest->distance,
+                fmt::format("{}: {}\n  the {}, the program says: {:.200}\n  {}\n", trial.family,
+                            name_of(trial.smallest->fault), truth_of(*trial.smallest),
                             trial.smallest->answer, trial.smallest->text);
         });
     if (gave_up.empty()) continue;

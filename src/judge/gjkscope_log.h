@@ -147,7 +147,8 @@ static inline void gjkscope_log_weight(gjkscope_log* log, double weight) {
 }
 
 /* "closest", "direction" (from the closest point to the origin) or "support_point"; in the answer
- * "a" or "b", the closest points of the shapes. */
+ * "a" or "b", the closest points of the shapes, or "translation", by which a moves until shapes
+ * that overlap just touch. */
 static inline void gjkscope_log_vector(gjkscope_log* log, const char* key, double x, double y,
                                        double z) {
   gjkscope_log_key(log, key);
@@ -164,7 +165,7 @@ static inline void gjkscope_log_answer(gjkscope_log* log) {
   gjkscope_log_line(log, "{\"answer\":{", "}}\n");
 }
 
-/* "distance". */
+/* "distance", or "depth", which is as long as the translation. */
 static inline void gjkscope_log_number(gjkscope_log* log, const char* key, double value) {
   gjkscope_log_key(log, key);
   gjkscope_log_double(log, value);

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "exact/instances.hpp"
+#include "depth/instances.hpp"
 
 namespace gjkscope::judging {
 namespace {
@@ -815,6 +815,7 @@ class Judge {
       wrong(fmt::format("the shapes are said to overlap, but they are apart: {}", truth));
     if (answer.overlap && !*answer.overlap && out_.overlap && !answer.distance && overlaps_deeply())
       wrong("the shapes are said to be apart, but they overlap");
+    if (answer.depth || answer.translation) check_depth(answer, wrong);
     if (out_.overlap || !answer.x || !answer.y) return;
     const double coordinates = explained(x_.longest + y_.longest) + log_.tolerance * out_.distance;
     for (const bool of_x : {true, false}) {
@@ -835,18 +836,78 @@ class Judge {
                         shown(log_.a_is_x ? *answer.x : *answer.y),
                         shown(log_.a_is_x ? *answer.y : *answer.x), number(apart), truth));
   }
+  /// `ask(query)` about the points without the coordinates that the log's dimension has not.
+  template <class S, class Ask>
+  [[nodiscard]] auto in_dimension(const std::vector<gjk::Vec<S, 3>>& all_x,
+                                  const std::vector<gjk::Vec<S, 3>>& all_y, const Ask& ask) const {
+    const auto asked = [&]<int D>(std::integral_constant<int, D>) {
+      std::vector<gjk::Vec<S, D>> x;
+      std::vector<gjk::Vec<S, D>> y;
+      for (const auto& v : all_x) x.push_back(v.template head<D>());
+      for (const auto& v : all_y) y.push_back(v.template head<D>());
+      return ask(gjk::Query<S, D>{{x}, {y}});
+    };
+    return log_.dimension == 2 ? asked(std::integral_constant<int, 2>())
+                               : asked(std::integral_constant<int, 3>());
+  }
+  /// How deep the shapes lie in each other, and bounds of it that are a few units of rounding
+  /// apart; NaNs where they are apart, or their numbers are too small or too large.
+  struct Depth {
+    double value = 0;
+    double lower = 0;
+    double upper = 0;
+  };
+  /// The same when x has moved by t.
+  [[nodiscard]] Depth depth_after(const Point& t) const {
+    return in_dimension<double>(log_.x, log_.y, [&](auto query) {
+      auto& translation = query.x.pose.translation;
+      for (int i = 0; i < translation.size(); ++i) translation[i] = t[i];
+      const auto found = depth::penetration<double>(query);
+      return Depth{found.depth, found.lower, found.upper};
+    });
+  }
+  /// `wrong(what)` notes a fault.
+  template <class Wrong>
+  void check_depth(const Answer& answer, const Wrong& wrong) {
+    const Depth exact_depth = out_.overlap ? depth_after(Point::Zero()) : Depth{};
+    if (std::isnan(exact_depth.value)) return;
+    out_.depth = exact_depth.value;
+    const double allowed = explained(size()) + log_.tolerance * exact_depth.upper;
+    const auto fits = [&](double told) {
+      return exact_depth.lower - allowed <= told && told <= exact_depth.upper + allowed;
+    };
+    const std::string truth = out_.overlap ? "the depth is " + number(exact_depth.value)
+                                           : "the shapes are apart, and have no depth";
+    // Some loops answer a distance with the other sign.
+    const bool is_distance = !out_.overlap && answer.depth && *answer.depth <= 0;
+    if (answer.depth && !is_distance && !fits(*answer.depth)) {
+      std::string what =
+          std::isfinite(*answer.depth)
+              ? fmt::format("the depth {} is wrong by {}: {}", number(*answer.depth),
+                            number(std::abs(*answer.depth - exact_depth.value)), truth)
+              : fmt::format("the depth is {}: {}", number(*answer.depth), truth);
+      if (fits(-*answer.depth)) what += "; a depth is not negative";
+      wrong(what);
+    }
+    if (!answer.translation || !out_.overlap) return;
+    const Point& t = *answer.translation;
+    const std::string shown_t = shown(log_.a_is_x ? t : Point(-t));
+    if (!t.allFinite()) return wrong(fmt::format("the translation {} is not finite", shown_t));
+    const double size_of_t = length(exact(t));
+    if (!fits(size_of_t))
+      return wrong(
+          fmt::format("the translation {} is {} long: {}", shown_t, number(size_of_t), truth));
+    const Depth rest = depth_after(t);
+    if (rest.lower > allowed)
+      wrong(fmt::format("after the translation {} the shapes still lie {} deep in each other: {}",
+                        shown_t, number(rest.value), truth));
+  }
+
   /// Not by rounding alone: a verdict that is as deep as that.
   [[nodiscard]] bool overlaps_deeply() const {
-    const auto flat = [&]<int D>(std::integral_constant<int, D>) {
-      std::vector<gjk::Vec<Rational, D>> x;
-      std::vector<gjk::Vec<Rational, D>> y;
-      for (const Vertex& v : x_.vertices) x.push_back(v.template head<D>());
-      for (const Vertex& v : y_.vertices) y.push_back(v.template head<D>());
-      return gjk::distance<Rational>(gjk::Query<Rational, D>{{x}, {y}}).verdict ==
-             gjk::Verdict::overlapping;
-    };
-    return log_.dimension == 2 ? flat(std::integral_constant<int, 2>())
-                               : flat(std::integral_constant<int, 3>());
+    return in_dimension<Rational>(x_.vertices, y_.vertices, [](const auto& query) {
+      return gjk::distance<Rational>(query).verdict == gjk::Verdict::overlapping;
+    });
   }
 
   /// Every step is right, but the run ends before P is the answer.

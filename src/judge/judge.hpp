@@ -34,7 +34,7 @@ enum class Part : std::uint8_t {
   direction,  ///< d leads from P to O.
   support,    ///< No point of Z lies farther along d.
   stop,       ///< The run ends when it is done, and not before.
-  answer,     ///< The distance, the overlap and the closest points.
+  answer,     ///< The distance, the overlap, the closest points, the depth and the translation.
 };
 
 /// An iteration, with what follows from the lines around it.
@@ -55,6 +55,7 @@ struct Judgement {
   int iterations = 0;
   double distance = 0;             ///< The exact one, rounded.
   bool overlap = false;            ///< The shapes meet, exactly.
+  std::optional<double> depth;     ///< The true one, where the answer tells of depth.
   std::optional<Finding> wrong;    ///< The first step that is wrong.
   std::optional<Finding> answer;   ///< The fault of the answer.
   std::optional<Finding> waste;    ///< The first.

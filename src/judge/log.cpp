@@ -26,7 +26,8 @@ const std::vector<std::string> kHeadKeys = {"gjk_log",   "difference", "scalar",
 const std::vector<std::string> kIterationKeys = {
     "simplex", "points",    "kept",    "kept_points",   "weights",
     "closest", "direction", "support", "support_point", "answer"};
-const std::vector<std::string> kAnswerKeys = {"distance", "overlap", "a", "b"};
+const std::vector<std::string> kAnswerKeys = {"distance", "overlap", "a",
+                                              "b",        "depth",   "translation"};
 
 JsonPath below(JsonPath path, std::string key) {
   path.push_back(std::move(key));
@@ -298,10 +299,14 @@ class Reader {
     check_keys(told, {"answer"}, kAnswerKeys);
     Answer out;
     out.line = number_;
-    if (const json* distance = member(told, "distance")) {
-      out.distance = number_in(*distance);
-      if (!out.distance)
-        report({"answer", "distance"}, "/answer/distance is " + shown(*distance), "a number");
+    for (const auto& [key, number] :
+         {std::pair{"distance", &out.distance}, std::pair{"depth", &out.depth}}) {
+      const json* value_told = member(told, key);
+      if (value_told == nullptr) continue;
+      *number = number_in(*value_told);
+      if (!*number)
+        report({"answer", key}, fmt::format("/answer/{} is {}", key, shown(*value_told)),
+               "a number");
     }
     if (const json* overlap = member(told, "overlap")) {
       if (overlap->is_boolean())
@@ -312,6 +317,10 @@ class Reader {
     for (const auto& [key, point] : {std::pair{"a", log_.a_is_x ? &out.x : &out.y},
                                      std::pair{"b", log_.a_is_x ? &out.y : &out.x}}) {
       if (const json* at = member(told, key)) *point = read_point(*at, {"answer", key});
+    }
+    if (const json* by = member(told, "translation")) {
+      out.translation = read_point(*by, {"answer", "translation"});
+      if (out.translation && !log_.a_is_x) *out.translation = -*out.translation;
     }
     log_.answer = out;
   }

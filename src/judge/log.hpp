@@ -35,6 +35,8 @@ struct Answer {
   std::optional<bool> overlap;
   std::optional<Point> x;  ///< The closest points.
   std::optional<Point> y;
+  std::optional<double> depth;       ///< How deep the shapes lie in each other.
+  std::optional<Point> translation;  ///< Moves x until they just touch.
 };
 
 struct Log {

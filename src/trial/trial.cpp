@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "exact/instances.hpp"
+#include "depth/instances.hpp"
 #include "lesson/json_place.hpp"
 #include "study/families.hpp"
 
@@ -22,7 +22,13 @@ using nlohmann::json;
 constexpr double kFloatLimit = 1e-3;
 constexpr double kDoubleLimit = 1e-9;
 
-constexpr std::string_view kLetters = ".mirpngxsc";
+constexpr double kFloatUnit = 0x1p-24;
+constexpr double kDoubleUnit = 0x1p-53;
+
+/// The smallest positive number of the scalar whose unit roundoff is that.
+constexpr double smallest_of(double unit) { return unit == kFloatUnit ? 0x1p-149 : 0x1p-1074; }
+
+constexpr std::string_view kLetters = ".mirpdngxsc";
 
 /// A pair that stands in the world, and the truth about it.
 template <int D>
@@ -94,6 +100,17 @@ json parsed(const std::string& line) {
   return value;
 }
 
+/// The coordinates of a point; NaNs stand for those that are no numbers.
+template <int D>
+std::optional<gjk::Vec<double, D>> point_of(const json& value) {
+  if (!value.is_array() || value.size() != D) return std::nullopt;
+  gjk::Vec<double, D> out;
+  for (std::size_t k = 0; k < D; ++k)
+    out[static_cast<int>(k)] =
+        number_in(value[k]).value_or(std::numeric_limits<double>::quiet_NaN());
+  return out;
+}
+
 /// Whether the closest points are as far apart as the shapes, where both are told.
 template <int D>
 bool points_fit(const json& answer, const Asked<D>& one, double limit, double unit) {
@@ -101,10 +118,9 @@ bool points_fit(const json& answer, const Asked<D>& one, double limit, double un
   for (const auto& [key, sign] : {std::pair{"a", -1.0}, std::pair{"b", 1.0}}) {
     const auto point = answer.find(key);
     if (point == answer.end() || point->is_null()) return true;
-    if (!point->is_array() || point->size() != D) return false;
-    for (std::size_t k = 0; k < D; ++k)
-      between[static_cast<int>(k)] +=
-          sign * number_in((*point)[k]).value_or(std::numeric_limits<double>::quiet_NaN());
+    const auto at = point_of<D>(*point);
+    if (!at) return false;
+    between += sign * *at;
   }
   double largest = one.scale;  // points far from the world's origin stand on a coarse grid
   for (const auto* shape : {&one.pair.x, &one.pair.y}) {
@@ -112,6 +128,40 @@ bool points_fit(const json& answer, const Asked<D>& one, double limit, double un
   }
   return std::abs(between.stableNorm() - one.distance) <=
          limit * one.distance + 16 * unit * largest;
+}
+
+/// Whether `depth` and `translation` are right, where they are told.
+template <int D>
+bool depth_fits(const json& answer, const Asked<D>& one, double limit, double unit) {
+  const auto told = [&](const char* key) {
+    const auto found = answer.find(key);
+    return found == answer.end() || found->is_null() ? nullptr : &*found;
+  };
+  const json* depth = told("depth");
+  const json* translation = told("translation");
+  if (depth == nullptr && translation == nullptr) return true;
+  const double rounding = 16 * (unit * one.scale + smallest_of(unit));
+  std::optional<double> number;
+  if (depth != nullptr) {
+    number = number_in(*depth);
+    if (!number) return false;
+    // Some programs answer a distance with the other sign.
+    if (!one.overlap) return *number <= rounding;
+  }
+  if (!one.overlap) return true;
+  const auto truth = depth::penetration<double>(one.pair.query());
+  if (!std::isfinite(truth.upper)) return true;
+  const double allowed = limit * truth.depth + rounding;
+  const auto fits = [&](double length) {
+    return truth.lower - allowed <= length && length <= truth.upper + allowed;
+  };
+  if (number && !fits(*number)) return false;
+  if (translation == nullptr) return true;
+  const auto t = point_of<D>(*translation);
+  if (!t || !fits(t->stableNorm())) return false;
+  Pair<double, D> moved = one.pair;
+  moved.x_pose.translation += *t;
+  return !(allowed < depth::penetration<double>(moved.query()).lower);
 }
 
 template <int D>
@@ -137,7 +187,7 @@ Fault fault_of(const Reply& reply, const Asked<D>& one, bool in_float, double* w
     if (answer.contains("error")) return Fault::gave_up;
     return told != answer.end() ? Fault::not_finite : Fault::nonsense;
   }
-  const double unit = in_float ? 0x1p-24 : 0x1p-53;
+  const double unit = in_float ? kFloatUnit : kDoubleUnit;
   const double limit = in_float ? kFloatLimit : kDoubleLimit;
   if (tells_overlap && !overlap->get<bool>() && one.overlap && !one.touching && !tells_distance)
     return Fault::missed;
@@ -145,19 +195,19 @@ Fault fault_of(const Reply& reply, const Asked<D>& one, bool in_float, double* w
     // Closer than its numbers tell apart.
     if (!(one.distance <= 4 * unit * one.scale)) return Fault::invented;
   }
-  if (!tells_distance) return Fault::none;
+  const Fault of_depth = depth_fits(answer, one, limit, unit) ? Fault::none : Fault::depth;
+  if (!tells_distance) return of_depth;
   const std::optional<double> number = number_in(*told);
   if (!number) return Fault::nonsense;
   const double distance = *number;
   if (!std::isfinite(distance)) return Fault::not_finite;
-  if (one.overlap) return distance > 4 * unit * one.scale ? Fault::missed : Fault::none;
-  const double smallest = in_float ? 0x1p-149 : 0x1p-1074;
-  if (std::abs(distance - one.distance) <= smallest) return Fault::none;
+  if (one.overlap) return distance > 4 * unit * one.scale ? Fault::missed : of_depth;
+  if (std::abs(distance - one.distance) <= smallest_of(unit)) return of_depth;
   if (distance <= 0) return Fault::invented;
   const double relative = std::abs(distance - one.distance) / one.distance;
   if (worst != nullptr) *worst = std::max(*worst, relative);
   if (relative > limit) return Fault::inaccurate;
-  return points_fit(answer, one, limit, unit) ? Fault::none : Fault::points;
+  return points_fit(answer, one, limit, unit) ? of_depth : Fault::points;
 }
 
 /// Takes vertices away and rounds numbers while the program fails in the same way.
@@ -297,6 +347,8 @@ FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& la
   told.fault = of_smallest;
   told.text = text_of(reduced.pair);
   told.distance = reduced.distance;
+  if (of_smallest == Fault::depth && reduced.overlap)
+    told.depth = depth::penetration<double>(reduced.pair.query()).depth;
   told.answer = of_smallest == Fault::silent
                     ? "silence"
                     : ask(options.command, {told.text}, quiet).front().line;

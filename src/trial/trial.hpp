@@ -20,13 +20,14 @@ enum class Fault : std::uint8_t {
   invented,
   inaccurate,
   points,
+  depth,
   not_finite,
   gave_up,
   nonsense,
   silent,
   crashed,
 };
-inline constexpr int kFaultCount = 10;
+inline constexpr int kFaultCount = 11;
 
 struct TrialOptions {
   std::string command;
@@ -45,6 +46,7 @@ struct FailingCase {
   std::string text;    ///< The case, as JSON.
   std::string answer;  ///< The program's, or how it ended.
   double distance = 0;
+  double depth = 0;  ///< The true one, if that is the fault.
 };
 
 struct FamilyTrial {
@@ -72,11 +74,12 @@ struct FamilyTrial {
 template <>
 struct gjkscope::Named<gjkscope::judging::Fault> {
   using Fault = gjkscope::judging::Fault;
-  static constexpr std::array<std::pair<std::string_view, Fault>, 9> kTable = {
+  static constexpr std::array<std::pair<std::string_view, Fault>, 10> kTable = {
       {{"missed", Fault::missed},
        {"invented", Fault::invented},
        {"inaccurate", Fault::inaccurate},
        {"points", Fault::points},
+       {"depth", Fault::depth},
        {"not-finite", Fault::not_finite},
        {"gave-up", Fault::gave_up},
        {"nonsense", Fault::nonsense},

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "depth/depth.hpp"
 #include "grid_pairs.hpp"
-#include "subjects/depth/depth.hpp"
 
 namespace {
 

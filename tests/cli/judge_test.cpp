@@ -1,5 +1,6 @@
 // `gjkscope judge`: what it prints of logs, and its exit codes.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,12 @@ TEST(JudgeCommand, ReadsStandardInputAndExitsByTheVerdict) {
   const Ran right = run_program("judge -", kRight);
   EXPECT_EQ(kDone, right.exit_code) << right.err;
   EXPECT_EQ("<stdin>: right: 1 iteration, distance 2\n", right.out);
+  const std::string deep = R"({"gjk_log":1,"a":[[0,0],[4,0],[0,4]],"b":[[1,0.5]]})"
+                           "\n";
+  EXPECT_EQ("<stdin>: right: 0 iterations, distance 0, depth 0.5\n",
+            run_program("judge -", deep + R"({"answer":{"depth":0.5}})").out);
+  EXPECT_EQ("<stdin>:2: wrong: answer: the depth 2 is wrong by 1.5: the depth is 0.5\n",
+            run_program("judge -", deep + R"({"answer":{"depth":2}})").out);
   const Ran wrong = run_program("judge -", kWrong);
   EXPECT_EQ(kProblem, wrong.exit_code) << wrong.err;
   EXPECT_EQ(
@@ -53,6 +60,7 @@ TEST(JudgeCommand, JudgesEachFileAndPrintsJson) {
   EXPECT_EQ(true, right["right"]);
   EXPECT_EQ(nullptr, right["wrong"]);
   EXPECT_EQ(2, right["distance"]);
+  EXPECT_FALSE(right.contains("depth"));
   const auto wrong = nlohmann::json::parse(lines[1]);
   EXPECT_EQ(false, wrong["right"]);
   EXPECT_EQ("direction", wrong["wrong"]["part"]);
@@ -158,6 +166,44 @@ TEST(JudgeProgram, FailuresAreCountedAndNamed) {
     EXPECT_EQ(kProblem, ran.exit_code) << line;
     EXPECT_TRUE(says(ran, row)) << line << '\n' << ran.out;
   }
+}
+
+TEST(JudgeProgram, DepthsAndTranslationsAreHeldToTheTruth) {
+  const test::TemporaryFolder folder;
+  const auto answering = [](const std::string& change) {
+    return GJKSCOPE_BINARY " solve - | sed -E '" + change + "'\n";
+  };
+  for (const int dimension : {2, 3}) {
+    // Beside another program no failing case is made smaller, which would take long.
+    const std::string options =
+        fmt::format("--program '{} solve -' --family random --dimension {} --pairs 60 --json",
+                    GJKSCOPE_BINARY, dimension);
+    for (const auto& [change, is_wrong] : std::vector<std::pair<std::string, bool>>{
+             {R"(s/"depth":[^,]*/"depth":0.25/)", true},
+             {R"(s/"depth":[^,]*/"depth":[1]/)", true},
+             {R"(s/"depth":[^,]*/"depth":null/)", false},
+             {R"(s/"translation":\[([^],]*),([^],]*)/"translation":[\2,\1/)", true},
+             {R"(s/"translation":\[/"translation":[1e3,/)", true},
+             {R"(s/"overlap":false/"overlap":false,"depth":1/)", true},
+             {R"(s/"overlap":false/"overlap":false,"depth":-1,"translation":[1]/)", false}}) {
+      SCOPED_TRACE(change + std::to_string(dimension));
+      const Ran ran = tried(folder, answering(change), options);
+      EXPECT_EQ(is_wrong ? kProblem : kDone, ran.exit_code) << ran.err;
+      const std::vector<std::string> lines = test::lines_of(ran.out);
+      ASSERT_EQ(2u, lines.size());
+      const auto faults = nlohmann::json::parse(lines[0])["faults"];
+      for (const auto& [name, count] : faults.items())
+        EXPECT_EQ(name == "depth" && is_wrong, count > 0) << name << ran.out;
+    }
+  }
+  const std::string wrong = answering(R"(s/"depth":[^,]*/"depth":0.25/)");
+  const std::string options = "--family identical --pairs 3 --dimension ";
+  const Ran ran = tried(folder, wrong, options + "3");
+  EXPECT_TRUE(says(ran, "| 3 d |")) << ran.out;
+  EXPECT_TRUE(says(ran, "identical: depth\n  the depth is ")) << ran.out;
+  const auto row = nlohmann::json::parse(tried(folder, wrong, options + "2 --json").out);
+  EXPECT_EQ("depth", row["smallest"]["fault"]);
+  EXPECT_NE(0.25, row["smallest"]["depth"].get<double>());
 }
 
 TEST(JudgeProgram, ACrashAndSilenceCostTheirCaseOnly) {

@@ -83,6 +83,27 @@ TEST(Solve, AnswersWithTheDepthOfShapesThatOverlap) {
   EXPECT_LE(tiny["depth_lower"].get<double>(), tiny["depth"].get<double>());
 }
 
+TEST(Solve, AnswersWithTheDepthOfPolyhedraThatOverlap) {
+  const std::string box = R"({"dimension":3,"a":[[0,0,0],[2,0,0],[0,2,0],[2,2,0],[0,0,2],[2,0,2],)"
+                          R"([0,2,2],[2,2,2]],"b":)";
+  for (const ScalarKind scalar :
+       {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
+    const json answer = solve(box + R"([[1,1,1.5],[1,1,4]]})", scalar).answers[0];
+    EXPECT_NEAR(0.5, answer["depth"].get<double>(), 2e-3);
+    EXPECT_LE(answer["depth_lower"].get<double>(), 0.5);
+    EXPECT_GE(answer["depth_upper"].get<double>(), 0.5);
+    EXPECT_EQ(json({0.0, 0.0, -1.0}), answer["direction"]);
+    EXPECT_EQ(-answer["depth"].get<double>(), answer["translation"][2].get<double>());
+    const json touching = solve(box + R"([[1,1,2],[1,1,4]]})", scalar).answers[0];
+    EXPECT_EQ("touching", touching["verdict"]);
+    EXPECT_EQ(0.0, touching["depth"].get<double>());
+    EXPECT_EQ(0.0, touching["depth_upper"].get<double>());
+    for (const char* key : {"depth", "depth_lower", "depth_upper", "direction", "translation"}) {
+      EXPECT_FALSE(solve(box + R"([[1,1,3],[1,1,4]]})", scalar).answers[0].contains(key)) << key;
+    }
+  }
+}
+
 TEST(Solve, EveryScalarAgrees) {
   for (const ScalarKind scalar :
        {ScalarKind::half, ScalarKind::single, ScalarKind::double_, ScalarKind::exact}) {
@@ -206,7 +227,7 @@ TEST(Solve, CasesInSpaceHaveTheSameAnswers) {
           .answers[0];
   EXPECT_EQ("touching", touching["verdict"]);
   EXPECT_EQ(true, touching["overlap"]);
-  EXPECT_FALSE(touching.contains("depth")) << "known in the plane alone";
+  EXPECT_EQ(0.0, touching["depth"].get<double>());
   const Solved refused = solve(R"({"dimension":3,"a":[[-1e308,0,0]],"b":[[1e308,0,0]]})");
   EXPECT_EQ(kProblem, refused.exit_code);
   EXPECT_NE(std::string::npos, refused.answers[0]["error"].get<std::string>().find("overflow"));

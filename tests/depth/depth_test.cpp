@@ -34,10 +34,10 @@ void expect_right(const Pair& given) {
     const auto check = [&](const auto& result) {
       EXPECT_EQ("", broken_bar(result, judge(result, truth), kBars));
     };
-    check(depth::penetration(pair.query()));
+    check(depth::penetration<double>(pair.query()));
     check(depth::penetration<Eigen::half>(as<Eigen::half>(pair).query()));
     check(depth::penetration<float>(as<float>(pair).query()));
-    const auto exact = depth::penetration(as<Rational>(pair).query());
+    const auto exact = depth::penetration<Rational>(as<Rational>(pair).query());
     EXPECT_EQ(truth.verdict, exact.verdict);
     if (truth.verdict == Verdict::separated) continue;
     const Rational depth_sq = gjk::dot(exact.translation, exact.translation);
@@ -52,7 +52,7 @@ TEST(Depth, OfShapesThatOverlap) {
   expect_right({kBox, {{0, 0.5}, {3, 2}, {2, 3}}});
   expect_right({kBox, {{-0.5, 0.25}, {0.25, 0.25}, {0, 0.5}}});  // one inside the other
   expect_right({{{0, 0}, {4, 0}, {0, 3}}, {{1, -1}, {2, 5}}});
-  const auto result = depth::penetration(Pair{kBox, {{0, 0.5}, {3, 2}, {2, 3}}}.query());
+  const auto result = depth::penetration<double>(Pair{kBox, {{0, 0.5}, {3, 2}, {2, 3}}}.query());
   EXPECT_EQ(0.5, result.depth);
   EXPECT_EQ(Point(0, -1), result.direction);
   EXPECT_EQ(Point(0, -0.5), result.translation);
@@ -63,7 +63,7 @@ TEST(Depth, OfShapesThatOverlap) {
 TEST(Depth, OfIdenticalShapes) {
   expect_right({kBox, kBox});
   expect_right({{{0, 0}, {4, 0}, {0, 3}}, {{0, 0}, {4, 0}, {0, 3}}});
-  EXPECT_EQ(2, depth::penetration(Pair{kBox, kBox}.query()).depth);
+  EXPECT_EQ(2, depth::penetration<double>(Pair{kBox, kBox}.query()).depth);
 }
 
 TEST(Depth, IsZeroWhereShapesTouch) {
@@ -84,7 +84,7 @@ TEST(Depth, IsZeroWhereShapesTouch) {
   };
   for (const Pair& pair : pairs) {
     expect_right(pair);
-    const auto result = depth::penetration(pair.query());
+    const auto result = depth::penetration<double>(pair.query());
     EXPECT_EQ(Verdict::touching, result.verdict);
     EXPECT_EQ(0, result.depth);
     EXPECT_EQ(0, result.upper);
@@ -104,7 +104,7 @@ TEST(Depth, WhereGjkEndsBesideAFullSimplex) {
   };
   for (const Pair& pair : pairs) {
     expect_right(pair);
-    EXPECT_EQ(Verdict::overlapping, depth::penetration(pair.query()).verdict);
+    EXPECT_EQ(Verdict::overlapping, depth::penetration<double>(pair.query()).verdict);
   }
   // Whatever simplex it starts from: the difference of any two vertices, also inside of Z.
   const Pair pair{{{-2, 0}, {2, 0}, {0, 0}, {0, 2}, {0, -2}}, {{0, 0}, {1, 0}, {0, 1}}};
@@ -134,8 +134,9 @@ TEST(Depth, OfShapesApartIsANamedVerdict) {
 }
 
 TEST(Depth, RefusesWhatGjkRefuses) {
-  EXPECT_EQ(gjk::Error::x_has_no_vertices, depth::penetration(Pair{{}, kBox}.query()).error);
-  const auto result = depth::penetration(Pair{kBox, {{0, std::nan("")}}}.query());
+  EXPECT_EQ(gjk::Error::x_has_no_vertices,
+            depth::penetration<double>(Pair{{}, kBox}.query()).error);
+  const auto result = depth::penetration<double>(Pair{kBox, {{0, std::nan("")}}}.query());
   EXPECT_EQ(gjk::Error::y_not_finite, result.error);
   EXPECT_EQ(StopReason::failed, result.stop);
   EXPECT_EQ(Verdict::none, result.verdict);
@@ -145,18 +146,18 @@ TEST(Depth, IsProvedAsFarAsOptionsAsk) {
   const Pair pair{kBox, {{0, 0.5}, {3, 2}, {2, 3}}};
   gjk::Options options;
   options.proof = gjk::Proof::none;
-  const auto guessed = depth::penetration(pair.query(), options);
+  const auto guessed = depth::penetration<double>(pair.query(), options);
   EXPECT_EQ(0.5, guessed.depth);
   EXPECT_TRUE(std::isnan(guessed.lower));
   EXPECT_TRUE(std::isnan(guessed.upper));
   // Touching takes exact arithmetic.
   options.proof = gjk::Proof::bounds;
   const Pair touching{kBox, {{1, 0}, {3, 2}, {3, -3}}};
-  const auto bounded = depth::penetration(touching.query(), options);
+  const auto bounded = depth::penetration<double>(touching.query(), options);
   EXPECT_EQ(Verdict::undecided, bounded.verdict);
   EXPECT_EQ(StopReason::undecided, bounded.stop);
   EXPECT_FALSE(bounded.settled);
-  EXPECT_TRUE(depth::penetration(touching.query()).settled);
+  EXPECT_TRUE(depth::penetration<double>(touching.query()).settled);
 }
 
 TEST(Depth, TraceTakesTheSameDecisionsAndKeepsEveryPhase) {
@@ -167,7 +168,7 @@ TEST(Depth, TraceTakesTheSameDecisionsAndKeepsEveryPhase) {
     const auto family = static_cast<DepthFamily>(i % kDepthFamilyCount);
     const Pair pair = meeting_pair(source, family, families::Representation::full_doubles);
     const auto trace = depth::trace(pair.query());
-    const auto result = depth::penetration(pair.query());
+    const auto result = depth::penetration<double>(pair.query());
     ASSERT_EQ(result.stop, trace.result.stop);
     ASSERT_EQ(result.verdict, trace.result.verdict);
     ASSERT_EQ(result.iterations, trace.result.iterations);
@@ -211,7 +212,7 @@ TEST(Depth, OfManySidedPolygonsTakesAStepForEachCorner) {
   // All edges of Z are equally far, or nearly.
   const int count = 400;
   const Pair pair{circle(count, 1), circle(count, 1)};
-  const auto result = depth::penetration(pair.query());
+  const auto result = depth::penetration<double>(pair.query());
   EXPECT_NEAR(2 * std::cos(M_PI / count), result.depth, 1e-15);
   EXPECT_LE(result.upper - result.lower, 16 * 2 * 0x1p-53);
   EXPECT_LE(count - 3, result.iterations);
@@ -219,7 +220,7 @@ TEST(Depth, OfManySidedPolygonsTakesAStepForEachCorner) {
   // Most are far, here.
   Pair beside = pair;
   for (Point& p : beside.y) p += Point(1.5, 0.01);
-  EXPECT_GE(40, depth::penetration(beside.query()).iterations);
+  EXPECT_GE(40, depth::penetration<double>(beside.query()).iterations);
 }
 
 TEST(Depth, HoldsOnEveryFamilyAlsoTimesAPowerOfTwo) {
@@ -237,7 +238,7 @@ TEST(Depth, HoldsOnEveryFamilyAlsoTimesAPowerOfTwo) {
     for (const Point& p : pair.x) size = std::max(size, p.cwiseAbs().maxCoeff());
     tiny += 0.0 < size && size < 1e-140;
     huge += size > 1e140;
-    const auto result = depth::penetration(pair.query());
+    const auto result = depth::penetration<double>(pair.query());
     if (result.error == gjk::Error::none) {
       ++verdicts[static_cast<std::size_t>(result.verdict)];
       const Truth truth = truth_of(pair);

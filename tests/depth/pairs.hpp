@@ -1,7 +1,7 @@
 #pragma once
 // Pairs that meet, of every family, and what is asked of their depths.
 
-#include "subjects/depth/depth.hpp"
+#include "depth/instances.hpp"
 #include "truth.hpp"
 
 namespace test {
@@ -22,17 +22,20 @@ inline constexpr int kDepthFamilyCount = families::kFamilyCount + 2;
 inline constexpr auto kDenormals = static_cast<DepthFamily>(families::Family::denormals);
 
 /// The pair times 2^exponent; as it is where a coordinate would come near the ends of the range.
-[[nodiscard]] inline Pair scaled(const Pair& pair, int exponent) {
-  Pair out = pair;
+template <int D>
+[[nodiscard]] families::Pair<double, D> scaled(const families::Pair<double, D>& pair,
+                                               int exponent) {
+  using Point = gjk::Vec<double, D>;
+  families::Pair<double, D> out = pair;
   bool has_room = true;
-  const auto scale = [&](Eigen::Vector2d& v) {
-    for (int i = 0; i < 2; ++i) {
+  const auto scale = [&](Point& v) {
+    for (int i = 0; i < D; ++i) {
       v[i] = std::ldexp(v[i], exponent);
       has_room = has_room && (v[i] == 0 || (1e-200 < std::abs(v[i]) && std::abs(v[i]) < 1e200));
     }
   };
-  for (std::vector<Eigen::Vector2d>* points : {&out.x, &out.y}) {
-    for (Eigen::Vector2d& p : *points) scale(p);
+  for (std::vector<Point>* points : {&out.x, &out.y}) {
+    for (Point& p : *points) scale(p);
   }
   scale(out.x_pose.translation);
   scale(out.y_pose.translation);
@@ -50,8 +53,35 @@ inline constexpr auto kDenormals = static_cast<DepthFamily>(families::Family::de
   return source.pair<double>(static_cast<families::Family>(family), representation);
 }
 
-/// A pair of the family; one that is apart is moved so that the shapes meet: in a common vertex
-/// (but for rounding), somewhat deeper than that, or with their means in one place.
+/// Moves Y so that the shapes meet: in a common vertex (but for rounding), somewhat deeper than
+/// that, or with their means in one place.
+template <int D>
+void make_meet(families::Source& source, families::Pair<double, D>& pair) {
+  using Point = gjk::Vec<double, D>;
+  const auto one_of = [&](const std::vector<Point>& points, const gjk::Pose<double, D>& pose) {
+    const int i = source.among(0, static_cast<int>(points.size()) - 1);
+    return Point(pose.rotated(points[static_cast<std::size_t>(i)]) + pose.translation);
+  };
+  const auto mean_of = [](const std::vector<Point>& points, const gjk::Pose<double, D>& pose) {
+    Point sum = Point::Zero();
+    for (const Point& p : points) sum += p / static_cast<double>(points.size());
+    return Point(pose.rotated(sum) + pose.translation);
+  };
+  const Point between_means = mean_of(pair.x, pair.x_pose) - mean_of(pair.y, pair.y_pose);
+  Point by = between_means;
+  if (source.with_chance(0.7)) {
+    by = one_of(pair.x, pair.x_pose) - one_of(pair.y, pair.y_pose);
+    const double deeper = source.with_chance(0.5) ? source.magnitude(1e-12, 0.5) : 0.0;
+    by += (between_means - by) * deeper;
+  }
+  if (pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns()) {
+    pair.y_pose.translation += by;
+  } else {
+    for (Point& p : pair.y) p += by;
+  }
+}
+
+/// A pair of the family; one that is apart is made to meet.
 [[nodiscard]] inline Pair meeting_pair(families::Source& source, DepthFamily family,
                                        families::Representation representation) {
   if (family == DepthFamily::extreme) {
@@ -62,29 +92,7 @@ inline constexpr auto kDenormals = static_cast<DepthFamily>(families::Family::de
   Pair pair = pair_of(source, family, representation);
   const bool as_it_is = source.with_chance(0.25);
   if (as_it_is && gjk::distance(pair.query()).verdict != gjk::Verdict::separated) return pair;
-  const auto one_of = [&](const std::vector<Eigen::Vector2d>& points,
-                          const gjk::Pose<double, 2>& pose) {
-    const int i = source.among(0, static_cast<int>(points.size()) - 1);
-    return Eigen::Vector2d(pose.rotated(points[static_cast<std::size_t>(i)]) + pose.translation);
-  };
-  const auto mean_of = [](const std::vector<Eigen::Vector2d>& points,
-                          const gjk::Pose<double, 2>& pose) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const Eigen::Vector2d& p : points) sum += p / static_cast<double>(points.size());
-    return Eigen::Vector2d(pose.rotated(sum) + pose.translation);
-  };
-  const Eigen::Vector2d between_means = mean_of(pair.x, pair.x_pose) - mean_of(pair.y, pair.y_pose);
-  Eigen::Vector2d by = between_means;
-  if (source.with_chance(0.7)) {
-    by = one_of(pair.x, pair.x_pose) - one_of(pair.y, pair.y_pose);
-    const double deeper = source.with_chance(0.5) ? source.magnitude(1e-12, 0.5) : 0.0;
-    by += (between_means - by) * deeper;
-  }
-  if (pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns()) {
-    pair.y_pose.translation += by;
-  } else {
-    for (Eigen::Vector2d& p : pair.y) p += by;
-  }
+  make_meet(source, pair);
   return representation == families::Representation::float_values
              ? families::rounded_to_floats(pair)
              : pair;
@@ -94,8 +102,8 @@ inline constexpr auto kDenormals = static_cast<DepthFamily>(families::Family::de
 inline const Judgement kBars = {"", 4, 16, 8, 8};
 
 /// The bar or claim that is broken, or "".
-template <class R>
-[[nodiscard]] std::string broken_bar(const depth::Result<R>& result, const Judgement& found,
+template <class R, int D>
+[[nodiscard]] std::string broken_bar(const depth::Result<R, D>& result, const Judgement& found,
                                      const Judgement& bars) {
   if (!found.broken.empty()) return found.broken;
   if (result.stop == depth::StopReason::iteration_cap) return "iteration cap";
@@ -108,11 +116,11 @@ template <class R>
 
 /// A power of two times the pair has the same depth, times that power, to the bit. Holds where
 /// nothing becomes denormal.
-[[nodiscard]] inline bool keeps_bits_when_scaled(const Pair& pair,
-                                                 const depth::Result<double>& result,
-                                                 int exponent) {
+template <int D>
+[[nodiscard]] bool keeps_bits_when_scaled(const families::Pair<double, D>& pair,
+                                          const depth::Result<double, D>& result, int exponent) {
   if (result.error != gjk::Error::none || !(1e-150 < result.depth)) return true;
-  const Pair larger = scaled(pair, exponent);
+  const auto larger = scaled(pair, exponent);
   if (larger.x == pair.x && larger.y == pair.y) return true;
   const auto other = depth::penetration<double>(larger.query());
   const auto as_before = [&](double a) { return std::ldexp(a, exponent); };

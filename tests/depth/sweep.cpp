@@ -1,6 +1,7 @@
-// Asks for the depth of random overlapping pairs of every family and holds the answers against all
-// edges of the exact hull of Z. Exit code 1 when a claim is broken; then some pairs that break it
-// are printed as cases for `gjkscope solve` (which have no poses).
+// Asks for the depth of random overlapping pairs of every family, in the plane or in space, and
+// holds the answers against all edges or faces of the exact hull of Z. Exit code 1 when a claim is
+// broken; then some pairs that break it are printed as cases for `gjkscope solve` (which have no
+// poses).
 
 #include <fmt/format.h>
 
@@ -8,7 +9,7 @@
 
 #include "in_pieces.hpp"
 #include "pairs.hpp"
-#include "truth.hpp"
+#include "pairs_in_space.hpp"
 
 namespace test {
 namespace {
@@ -19,10 +20,39 @@ using families::Representation;
 enum class Mode { in_double, float_in_double, in_float };
 constexpr std::array<const char*, 3> kModeNames = {"double", "float in double", "float"};
 
-std::string json_of(const std::vector<Eigen::Vector2d>& points) {
+/// The pairs of the sweep in dimension D, and their truth. Families are numbers from 0.
+template <int D>
+struct Space {
+  using Pair = test::Pair;
+  using Family = test::DepthFamily;
+  static constexpr int kFamilies = test::kDepthFamilyCount;
+  static constexpr Family kDenormals = test::kDenormals;
+  static std::string_view name_of(Family family) { return test::name_of(family); }
+  static Pair meeting_pair(families::Source& source, Family family, Representation values) {
+    return test::meeting_pair(source, family, values);
+  }
+  static Truth truth_of(const Pair& pair) { return test::truth_of(pair); }
+};
+template <>
+struct Space<3> {
+  using Pair = space::Pair;
+  using Family = space::DepthFamily;
+  static constexpr int kFamilies = space::kDepthFamilyCount;
+  static constexpr Family kDenormals = space::kDenormals;
+  static std::string_view name_of(Family family) { return space::name_of(family); }
+  static Pair meeting_pair(families::Source& source, Family family, Representation values) {
+    return space::meeting_pair(source, family, values);
+  }
+  static space::Truth truth_of(const Pair& pair) { return space::truth_of(pair); }
+};
+
+template <int D>
+std::string json_of(const std::vector<gjk::Vec<double, D>>& points) {
   std::string out;
-  for (const Eigen::Vector2d& p : points) {
-    out += fmt::format("{}[\"{:a}\",\"{:a}\"]", out.empty() ? "" : ",", p[0], p[1]);
+  for (const gjk::Vec<double, D>& p : points) {
+    out += out.empty() ? "[" : ",[";
+    for (int i = 0; i < D; ++i) out += fmt::format("{}\"{:a}\"", i == 0 ? "" : ",", p[i]);
+    out += "]";
   }
   return "[" + out + "]";
 }
@@ -59,19 +89,22 @@ struct Row {
 };
 using Rows = std::array<Row, 3>;  ///< One for each mode.
 
+template <int D>
 struct Work {
-  DepthFamily family = DepthFamily::round;
+  typename Space<D>::Family family = {};
   Representation representation = Representation::full_doubles;
   Piece piece;
 };
 
+template <int D>
 class Worker {
  public:
-  explicit Worker(const Work& work) : work_(work), source_(work.piece.seed) {}
+  using Pair = typename Space<D>::Pair;
+  explicit Worker(const Work<D>& work) : work_(work), source_(work.piece.seed) {}
 
   Rows run() {
     while (done_ < work_.piece.pairs) {
-      const Pair pair = meeting_pair(source_, work_.family, work_.representation);
+      const Pair pair = Space<D>::meeting_pair(source_, work_.family, work_.representation);
       check(pair);
       check(families::swapped(pair));
     }
@@ -80,7 +113,7 @@ class Worker {
 
  private:
   void check(const Pair& pair) {
-    const Truth truth = truth_of(pair);
+    const auto truth = Space<D>::truth_of(pair);
     const auto result = depth::penetration<double>(pair.query());
     note(pair, truth, result, Mode::in_double, kBars);
     if (work_.representation == Representation::float_values) {
@@ -95,8 +128,8 @@ class Worker {
     if (truth.verdict != gjk::Verdict::separated) ++done_;
   }
 
-  template <class R>
-  void note(const Pair& pair, const Truth& truth, const depth::Result<R>& result, Mode mode,
+  template <class R, class Truth>
+  void note(const Pair& pair, const Truth& truth, const depth::Result<R, D>& result, Mode mode,
             const Judgement& bars) {
     Row& row = rows_[static_cast<std::size_t>(mode)];
     ++row.counts[truth.verdict == gjk::Verdict::separated ? Row::separated : Row::pairs];
@@ -105,7 +138,7 @@ class Worker {
     row.counts[Row::repeated] += result.stop == depth::StopReason::repeated_support;
     row.iterations = std::max(row.iterations, result.iterations);
     // A named error is an answer to denormal numbers.
-    if (result.error != gjk::Error::none && work_.family == kDenormals) return;
+    if (result.error != gjk::Error::none && work_.family == Space<D>::kDenormals) return;
     const Judgement found = judge(result, truth);
     row.widen(found);
     const std::string broken = broken_bar(result, found, bars);
@@ -120,43 +153,47 @@ class Worker {
   void fail(Row& row, const Pair& pair, const std::string& what) {
     if (++row.counts[Row::broken] > static_cast<long>(Row::kKept)) return;
     const bool posed = pair.x_pose.rotation.turns() || pair.y_pose.rotation.turns();
-    row.failures.push_back({work_.piece.first + done_,
-                            fmt::format("{}\n  {{\"name\":\"{}, seed {}{}\",\"a\":{},\"b\":{}}}",
-                                        what, name_of(work_.family), work_.piece.seed,
-                                        posed ? ", posed" : "", json_of(pair.x), json_of(pair.y))});
+    row.failures.push_back(
+        {work_.piece.first + done_,
+         fmt::format("{}\n  {{\"name\":\"{}, seed {}{}\",\"a\":{},\"b\":{}}}", what,
+                     Space<D>::name_of(work_.family), work_.piece.seed, posed ? ", posed" : "",
+                     json_of<D>(pair.x), json_of<D>(pair.y))});
   }
 
-  Work work_;
+  Work<D> work_;
   families::Source source_;
   long done_ = 0;
   Rows rows_;
 };
 
+template <int D>
 struct Job {
-  DepthFamily family;
+  typename Space<D>::Family family;
   Representation representation;
   Rows rows = {};
 };
 
-void run(std::vector<Job>& jobs, long pairs, unsigned threads, std::uint64_t seed) {
-  in_pieces(jobs, pairs, threads, seed, [](const Job& job, const Piece& piece) {
-    return Worker({job.family, job.representation, piece}).run();
+template <int D>
+void run(std::vector<Job<D>>& jobs, long pairs, unsigned threads, std::uint64_t seed) {
+  in_pieces(jobs, pairs, threads, seed, [](const Job<D>& job, const Piece& piece) {
+    return Worker<D>({job.family, job.representation, piece}).run();
   });
 }
 
 /// Prints a row for each family, representation and mode; returns how many claims are broken.
-long print(const std::vector<Job>& jobs) {
+template <int D>
+long print(const std::vector<Job<D>>& jobs) {
   fmt::print("{:<15}{:<8}{:<16}{:>9}{:>8}{:>9}{:>10}{:>9}{:>10}{:>6}{:>8}{:>8}{:>8}{:>9}\n",
              "family", "values", "run", "pairs", "broken", "touching", "separated", "settled",
              "repeated", "most", "error", "width", "touch", "contact");
   long broken = 0;
   long pairs = 0;
   std::string failures;
-  for (const Job& job : jobs) {
+  for (const Job<D>& job : jobs) {
     for (std::size_t mode = 0; mode < job.rows.size(); ++mode) {
       const Row& row = job.rows[mode];
       if (row.counts[Row::pairs] == 0) continue;
-      const std::string_view family = name_of(job.family);
+      const std::string_view family = Space<D>::name_of(job.family);
       fmt::print(
           "{:<15}{:<8}{:<16}{:>9}{:>8}{:>9}{:>10}{:>9}{:>10}{:>6}{:>8.3Lg}{:>8.3Lg}"
           "{:>8.3Lg}{:>9.3Lg}\n",
@@ -176,39 +213,52 @@ long print(const std::vector<Job>& jobs) {
   return broken;
 }
 
-int main_of(int argc, char** argv) {
+struct Asked {
   long pairs = 50000;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::uint64_t seed = 1;
-  std::vector<std::string> known;
-  for (int family = 0; family < kDepthFamilyCount; ++family)
-    known.emplace_back(name_of(static_cast<DepthFamily>(family)));
-  std::vector<std::string> names;
-  CLI::App app("Holds penetration depths of random pairs against the exact truth");
-  app.add_option("--pairs", pairs, "Overlapping pairs over all families")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--threads", threads, "Threads; they do not change the answer")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", seed, "Seed");
-  app.add_option("--families", names, "Families; all if none is named")
-      ->delimiter(',')
-      ->check(CLI::IsMember(known));
-  CLI11_PARSE(app, argc, argv);
+  std::vector<std::string> families;  ///< All if none is named.
+};
 
-  std::vector<Job> jobs;
-  for (int i = 0; i < kDepthFamilyCount; ++i) {
-    const auto family = static_cast<DepthFamily>(i);
-    if (!names.empty() && std::find(names.begin(), names.end(), name_of(family)) == names.end())
+template <int D>
+int sweep(const Asked& asked) {
+  using Family = typename Space<D>::Family;
+  std::vector<std::string> unknown = asked.families;
+  std::vector<Job<D>> jobs;
+  for (int i = 0; i < Space<D>::kFamilies; ++i) {
+    const auto family = static_cast<Family>(i);
+    const std::string name(Space<D>::name_of(family));
+    std::erase(unknown, name);
+    if (!asked.families.empty() &&
+        std::find(asked.families.begin(), asked.families.end(), name) == asked.families.end())
       continue;
     for (const auto representation : {Representation::float_values, Representation::full_doubles}) {
       // No float is as large, or as small.
-      if (family == DepthFamily::extreme && representation == Representation::float_values)
-        continue;
+      if (family == Family::extreme && representation == Representation::float_values) continue;
       jobs.push_back({family, representation});
     }
   }
-  run(jobs, pairs, threads, seed);
-  return print(jobs) == 0 ? 0 : 1;
+  if (!unknown.empty()) {
+    fmt::print(stderr, "depth-sweep: no family {} in dimension {}\n", unknown.front(), D);
+    return 2;
+  }
+  run<D>(jobs, asked.pairs, asked.threads, asked.seed);
+  return print<D>(jobs) == 0 ? 0 : 1;
+}
+
+int main_of(int argc, char** argv) {
+  Asked asked;
+  int dimension = 2;
+  CLI::App app("Holds penetration depths of random pairs against the exact truth");
+  app.add_option("--pairs", asked.pairs, "Overlapping pairs over all families")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", asked.threads, "Threads; they do not change the answer")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", asked.seed, "Seed");
+  app.add_option("--dimension", dimension, "2: the plane, 3: space")->check(CLI::Range(2, 3));
+  app.add_option("--families", asked.families, "Families; all if none is named")->delimiter(',');
+  CLI11_PARSE(app, argc, argv);
+  return dimension == 3 ? sweep<3>(asked) : sweep<2>(asked);
 }
 
 }  // namespace

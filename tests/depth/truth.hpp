@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "depth/depth.hpp"
 #include "study/families.hpp"
-#include "subjects/depth/depth.hpp"
 
 namespace test {
 

@@ -32,6 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::claim(!std::isnan(judgement.distance), "there is a distance");
   fuzz::claim(judgement.overlap == (judgement.distance == 0) || judgement.distance == 0,
               "overlap has distance 0");
+  fuzz::claim(!judgement.depth || judgement.depth >= 0, "a depth is not negative");
   const int lines = 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   claim_finding(judgement.wrong, lines);
   claim_finding(judgement.answer, lines);

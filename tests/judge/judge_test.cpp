@@ -114,6 +114,70 @@ TEST(Judge, SaysWhatIsWrongWithTheAnswer) {
   EXPECT_EQ(overlap.answer->what, "the shapes are said to be apart, but they overlap");
 }
 
+TEST(Judge, ADepthIsHeldToTheExactOne) {
+  const std::string plane =
+      R"("a":[[0,0],[2,0],[2,2],[0,2]],"b":[[1.5,0.25],[3,0.25],[3,1],[1.5,1]])";
+  const std::string space =
+      R"("a":[[0,0,0],[2,0,0],[0,2,0],[2,2,0],[0,0,2],[2,0,2],[0,2,2],[2,2,2]],)"
+      R"("b":[[1.5,0.25,0.5],[3,0.25,0.5],[1.5,1,0.5],[3,1,0.5],)"
+      R"([1.5,0.25,1.25],[3,0.25,1.25],[1.5,1,1.25],[3,1,1.25]])";
+  const auto answered = [](const std::string& head, const std::string& answer) {
+    return judged("{\"gjk_log\":1," + head + "}\n{\"answer\":" + answer + "}\n");
+  };
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {R"({"depth":0.5,"translation":[-0.5,0Z]})", ""},
+      {R"({"distance":0,"overlap":true,"depth":0.50000000000000011})", ""},
+      {R"({"depth":0.75})", "the depth 0.75 is wrong by 0.25: the depth is 0.5"},
+      {R"({"depth":0.25})", "the depth 0.25 is wrong by 0.25: the depth is 0.5"},
+      {R"({"depth":0})", "the depth 0 is wrong by 0.5"},
+      {R"({"depth":-0.5})", "the depth is 0.5; a depth is not negative"},
+      {R"({"depth":"nan"})", "the depth is nan: the depth is 0.5"},
+      {R"({"translation":[0.5,0Z]})", "the shapes still lie 1 deep in each other"},
+      {R"({"translation":[0,-0.5Z]})", "the shapes still lie 0.5 deep in each other"},
+      {R"({"translation":[0,-2Z]})", "is 2 long: the depth is 0.5"},
+      {R"({"translation":[0,0Z]})", "is 0 long: the depth is 0.5"},
+      {R"({"translation":["inf",0Z]})", "is not finite"},
+  };
+  for (const auto& [text, says] : cases) {
+    for (const bool in_space : {false, true}) {
+      std::string answer = text;
+      if (const std::size_t at = answer.find('Z'); at != std::string::npos)
+        answer.replace(at, 1, in_space ? ",0" : "");
+      for (const char* difference : {"b-a", "a-b"}) {
+        const Judgement judgement = answered(
+            fmt::format("\"difference\":\"{}\",{}", difference, in_space ? space : plane), answer);
+        SCOPED_TRACE(answer + ' ' + difference);
+        EXPECT_EQ(judgement.depth, 0.5);
+        EXPECT_EQ(judgement.answer.has_value(), !says.empty());
+        const std::string what = judgement.answer ? judgement.answer->what : "";
+        EXPECT_NE(what.find(says), std::string::npos) << what;
+      }
+    }
+  }
+  EXPECT_FALSE(answered(plane, R"({"distance":0})").depth);
+  EXPECT_FALSE(answered("\"scalar\":\"float\"," + plane, R"({"depth":0.5000001})").answer);
+  EXPECT_TRUE(answered(plane, R"({"depth":0.5000001})").answer);
+  EXPECT_FALSE(answered("\"tolerance\":0.1," + plane, R"({"depth":0.46})").answer);
+  EXPECT_TRUE(answered("\"tolerance\":0.1," + plane, R"({"depth":0.44})").answer);
+}
+
+TEST(Judge, ShapesThatTouchOrAreApartHaveNoDepth) {
+  const auto what = [](const std::string& b, const std::string& answer) {
+    const Judgement judgement = judged(R"({"gjk_log":1,"a":[[0,0],[2,0],[2,2],[0,2]],"b":)" + b +
+                                       "}\n{\"answer\":" + answer + "}\n");
+    EXPECT_EQ(judgement.depth, 0);
+    return judgement.answer ? judgement.answer->what : "";
+  };
+  const std::string touching = "[[2,1],[3,1],[3,2]]";
+  EXPECT_EQ(what(touching, R"({"depth":0,"translation":[0,0]})"), "");
+  EXPECT_EQ(what(touching, R"({"depth":0.5})"), "the depth 0.5 is wrong by 0.5: the depth is 0");
+  const std::string apart = "[[3,1],[4,1],[4,2]]";
+  EXPECT_EQ(what(apart, R"({"distance":1,"depth":0})"), "");
+  EXPECT_EQ(what(apart, R"({"depth":-1,"translation":[7,7]})"), "");
+  EXPECT_EQ(what(apart, R"({"depth":0.5})"),
+            "the depth 0.5 is wrong by 0.5: the shapes are apart, and have no depth");
+}
+
 TEST(Judge, AFloatIsHeldToFloats) {
   const std::string steps = R"(}
 {"simplex":[[1,0],[1,3]],"closest":[2.0000002,0],"direction":[-1,1e-7],"support":[1,0]}

@@ -166,6 +166,10 @@ TEST(Reading, ProblemsHaveTheirPlaceAndWhatWasExpected) {
       {kHead + "{\"answer\":{\"distance\":\"far\"}}\n",
        "log:2:23: /answer/distance is \"far\"; expected a number"},
       {kHead + "{\"answer\":{\"overlap\":1}}\n", "log:2:22: /answer/overlap is 1"},
+      {kHead + "{\"answer\":{\"depth\":[1]}}\n",
+       "log:2:20: /answer/depth is [1]; expected a number"},
+      {kHead + "{\"answer\":{\"translation\":[1,2,3]}}\n",
+       "log:2:26: /answer/translation is [1,2,3]; expected two numbers, [x, y]"},
       {kHead + "\xff\xfe\n", "log:2:1: this is not JSON"},
   };
   for (const auto& [text, problem] : cases) {

@@ -220,8 +220,3 @@ DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options, Scala
 }
 
 }  // namespace gjkscope
-
-GJKSCOPE_DEPTH_INSTANCE(, Eigen::half)
-GJKSCOPE_DEPTH_INSTANCE(, float)
-GJKSCOPE_DEPTH_INSTANCE(, double)
-GJKSCOPE_DEPTH_INSTANCE(, gjkscope::Rational)

@@ -2,21 +2,10 @@
 // Penetration depth as the algorithm of a lesson: run in the lesson's scalar, widened to double,
 // and told as JSON and as text.
 
+#include "depth/depth.hpp"
 #include "exact/instances.hpp"
 #include "lesson/algorithm.hpp"
 #include "run/run.hpp"
-#include "subjects/depth/depth.hpp"
-
-// NOLINTBEGIN(bugprone-macro-parentheses): a type takes none.
-/// The depth in the scalars of lessons, compiled once.
-#define GJKSCOPE_DEPTH_INSTANCE(linkage, S)                                        \
-  linkage template depth::Result<S> depth::penetration<S>(const gjk::Query<S, 2>&, \
-                                                          const gjk::Options&);
-// NOLINTEND(bugprone-macro-parentheses)
-GJKSCOPE_DEPTH_INSTANCE(extern, Eigen::half)
-GJKSCOPE_DEPTH_INSTANCE(extern, float)
-GJKSCOPE_DEPTH_INSTANCE(extern, double)
-GJKSCOPE_DEPTH_INSTANCE(extern, gjkscope::Rational)
 
 namespace gjkscope {
 

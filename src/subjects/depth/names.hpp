@@ -1,8 +1,8 @@
 #pragma once
 // The names of phases and stop reasons of penetration depth.
 
+#include "depth/state.hpp"
 #include "lesson/names.hpp"
-#include "subjects/depth/state.hpp"
 
 namespace gjkscope {
 

@@ -18,7 +18,7 @@ const depth::Result<double>* depth_on_overlap(EffectGraph& effects, const Lesson
                                               const Frame& frame) {
   const gjk::Verdict verdict = run.run(frame).trace.result.verdict;
   const bool overlap = verdict == gjk::Verdict::touching || verdict == gjk::Verdict::overlapping;
-  // In space it is not computed yet.
+  // In space nothing draws it yet.
   return overlap && run.lesson.dimension == 2 ? &effects.get<PenetrationDepth>(frame).result
                                               : nullptr;
 }

@@ -1,8 +1,8 @@
 #pragma once
 // Traces of penetration depth in any scalar, widened to double for pictures and files.
 
+#include "depth/depth.hpp"
 #include "run/widen.hpp"
-#include "subjects/depth/depth.hpp"
 
 namespace gjkscope {
 
@@ -75,7 +75,7 @@ template <class S>
   out.result.x = in_plane(widened<S, 2>(result.x));
   out.result.y = in_plane(widened<S, 2>(result.y));
   out.result.iterations = result.iterations;
-  out.result.edge = in_plane(widened(result.edge, trace.gjk.prepared.exponent));
+  out.result.face = in_plane(widened(result.face, trace.gjk.prepared.exponent));
   return out;
 }
 

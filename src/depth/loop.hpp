@@ -15,8 +15,8 @@
 //
 // A step costs what a support point does, and O(log n) for the heap of n edges.
 
+#include "depth/state.hpp"
 #include "gjk/proof/result.hpp"
-#include "subjects/depth/state.hpp"
 
 namespace depth {
 namespace detail {

@@ -5,8 +5,8 @@
 // To understand the algorithm, read state.hpp and loop.hpp. result.hpp says what is answered, and
 // certificate.hpp keeps rounding in check.
 
+#include "depth/certificate.hpp"
 #include "gjk/gjk.hpp"
-#include "subjects/depth/certificate.hpp"
 
 namespace depth {
 
@@ -60,11 +60,11 @@ void set_exact_answer(const State<R>& state, Result<R>& out) {
     out.translation[i] = state.n[i] * share;
   }
   const bool is_point = state.edge.from == state.edge.to;
-  out.edge.count = is_point ? 1 : 2;
-  out.edge.vertices[0] = a;
-  out.edge.vertices[1] = b;
-  if (!is_point) out.edge.weights[1] = -gjk::dot(a.w, Vec<R, 2>(b.w - a.w)) / n_sq;
-  out.edge.weights[0] = R(1) - out.edge.weights[1];
+  out.face.count = is_point ? 1 : 2;
+  out.face.vertices[0] = a;
+  out.face.vertices[1] = b;
+  if (!is_point) out.face.weights[1] = -gjk::dot(a.w, Vec<R, 2>(b.w - a.w)) / n_sq;
+  out.face.weights[0] = R(1) - out.face.weights[1];
 }
 
 /// Those of a run that rounded.
@@ -87,7 +87,7 @@ void set_rounded_answer(const State<R>& state, const gjk::Result<R, 2>& found,
   }
   out.direction = proof.direction + Vec<R, 2>::Zero();              // no -0
   out.translation = out.direction * out.depth + Vec<R, 2>::Zero();  // no -0
-  out.edge = proof.edge;
+  out.face = proof.edge;
 }
 
 /// Reads the answer from the end of a run.
@@ -106,8 +106,8 @@ template <class R, class S>
   } else {
     set_rounded_answer(state, found, query, options, prepared, out);
   }
-  out.x = gjk::witness_point(out.edge, query.x, &gjk::VertexPair::x, prepared);
-  out.y = gjk::witness_point(out.edge, query.y, &gjk::VertexPair::y, prepared);
+  out.x = gjk::witness_point(out.face, query.x, &gjk::VertexPair::x, prepared);
+  out.y = gjk::witness_point(out.face, query.y, &gjk::VertexPair::y, prepared);
   if (!gjk::ScalarTraits<typename Result<R>::Real>::is_finite(out.depth) ||
       !gjk::is_finite(out.x) || !gjk::is_finite(out.y)) {
     out = {};

@@ -1,8 +1,8 @@
 #pragma once
 // The answer: how far X must move, and where the shapes touch then.
 
+#include "depth/state.hpp"
 #include "gjk/proof/result.hpp"
-#include "subjects/depth/state.hpp"
 
 namespace depth {
 
@@ -13,7 +13,7 @@ namespace depth {
 /// lower <= exact depth <= upper, rounding included; with Proof::none both are `no_length()` (a
 /// NaN). Moving X by upper * direction parts the shapes for certain. Shapes apart have no depth:
 /// `verdict` says separated, and the lengths are no numbers.
-template <class R>
+template <class R, int D = 2>
 struct Result {
   using Real = typename gjk::ScalarTraits<R>::Real;
   gjk::Error error = gjk::Error::none;
@@ -23,14 +23,15 @@ struct Result {
   Real depth = gjk::ScalarTraits<R>::no_length();
   Real lower = gjk::ScalarTraits<R>::no_length();
   Real upper = gjk::ScalarTraits<R>::no_length();
-  Vec<Real, 2> direction = Vec<Real, 2>::Zero();  ///< Direction of t; of length 1 even if t = 0.
-  Vec<R, 2> translation = Vec<R, 2>::Zero();      ///< t = depth * direction; exact for exact R.
-  Vec<R, 2> x = Vec<R, 2>::Zero();  ///< Contact point on X before the motion, world coordinates,
-  Vec<R, 2> y = Vec<R, 2>::Zero();  ///< and on Y: x + t = y.
-  int iterations = 0;               ///< Iterations of the polygon; GJK's come before.
-  /// The edge of Z (or a corner that touches O) nearest to O, in the run's unit; its weights made
-  /// the contact points.
-  gjk::Simplex<R, 2> edge;
+  Vec<Real, D> direction = Vec<Real, D>::Zero();  ///< Direction of t; of length 1 even if t = 0.
+  Vec<R, D> translation = Vec<R, D>::Zero();      ///< t = depth * direction; exact for exact R.
+  Vec<R, D> x = Vec<R, D>::Zero();  ///< Contact point on X before the motion, world coordinates,
+  Vec<R, D> y = Vec<R, D>::Zero();  ///< and on Y: x + t = y.
+  int iterations = 0;               ///< Those that expand; GJK's come before.
+  /// The edge of Z in the plane, the triangle of it in space, nearest to O (where the shapes touch
+  /// also a face of fewer dimensions, which holds O), in the run's unit; its weights made the
+  /// contact points.
+  gjk::Simplex<R, D> face;
 };
 
 }  // namespace depth

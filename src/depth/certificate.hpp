@@ -7,11 +7,12 @@
 // If this proves too little the same loop runs in exact arithmetic, from GJK's simplex.
 // tests/depth holds all of it against exact answers.
 
+#include "depth/loop.hpp"
+#include "depth/reach.hpp"
+#include "depth/result.hpp"
 #include "gjk/proof/careful.hpp"
 #include "gjk/proof/certificate.hpp"
 #include "gjk/proof/settle.hpp"
-#include "subjects/depth/loop.hpp"
-#include "subjects/depth/result.hpp"
 
 namespace depth::detail {
 
@@ -25,10 +26,6 @@ struct Proof {
   Vec<R, 2> direction = Vec<R, 2>::Zero();
   gjk::Simplex<R, 2> edge;
 };
-
-/// How often `careful_reach` rounds at worst, and the bound made of it: in each choice of a vertex,
-/// the product, three times in the direction, whose length is not quite 1, and the bound.
-inline constexpr int kReachRoundings = 7;
 
 /// How much farther than the nearest edge Z may reach along its normal, in u times the size of Z,
 /// before rounding must have kept the polygon from growing: tests/depth demands depths within 4.
@@ -53,17 +50,6 @@ template <class R>
     if ((right < left) == ends_above) turns += ends_above ? 1 : -1;
   });
   return is_certain && turns == 1;
-}
-
-/// A vertex of Z with about twice the digits of R.
-template <class R, class S>
-[[nodiscard]] Vec<gjk::DoubleWord<R>, 2> careful_vertex(const gjk::Query<S, 2>& query,
-                                                        const gjk::Prepared<R, 2>& prepared,
-                                                        gjk::VertexPair pair) {
-  gjk::Simplex<R, 2> vertex;
-  vertex.count = 1;
-  vertex.vertices[0].pair = pair;
-  return gjk::careful_simplex(vertex, query, prepared).vertices[0].w;
 }
 
 /// Distance of O from the segment ab: as computed, and with what the digits of a and b leave open
@@ -100,38 +86,6 @@ template <class R, class N>
   }
   const R distance = gjk::ScalarTraits<R>::from(gjk::cross(a, exact_way)) / length;
   return {distance, distance - error * (R(2) + R(2) * beyond / length)};
-}
-
-/// How far Z reaches along a direction of length 1: of the vertices among which rounding leaves the
-/// choice open each is computed with about twice the digits.
-template <class R, class S>
-[[nodiscard]] R careful_reach(const Vec<R, 2>& direction, const gjk::Query<S, 2>& query,
-                              const gjk::Prepared<R, 2>& prepared) {
-  gjk::VertexPair best = gjk::farthest_pair(query, prepared, direction);
-  const auto reach_of = [&](gjk::VertexPair pair) {
-    const Vec<gjk::DoubleWord<R>, 2> w = careful_vertex(query, prepared, pair);
-    return (gjk::DoubleWord<R>{direction[0]} * w[0] + gjk::DoubleWord<R>{direction[1]} * w[1]).hi;
-  };
-  R most = reach_of(best);
-  const R error = prepared.scan_error_within(R(0));
-  const auto improve = [&](int gjk::VertexPair::*index, const Vec<R, 2>& d,
-                           const gjk::Shape<S, 2>& shape, const gjk::Body<R, 2>& body) {
-    const gjk::Along<R, S, 2> along_d(d, shape, prepared, body);
-    const int found = best.*index;
-    const R as_far = along_d(found) - error;
-    for (int i = 0; i < along_d.count(); ++i) {
-      if (i == found || along_d(i) < as_far) continue;
-      gjk::VertexPair other = best;
-      other.*index = i;
-      const R reach = reach_of(other);
-      if (!(most < reach)) continue;
-      most = reach;
-      best = other;
-    }
-  };
-  improve(&gjk::VertexPair::x, Vec<R, 2>(-direction), query.x, prepared.x);
-  improve(&gjk::VertexPair::y, direction, query.y, prepared.y);
-  return most;
 }
 
 /// The edge that holds the point nearest to O, with its weights. Of two edges that are nearly one
@@ -204,8 +158,8 @@ template <class R, class S>
   if (is_certain) out.lower = nearest.lower - few * nearest.value;
 
   const R reach = careful_reach(out.direction, query, prepared);
-  out.upper =
-      gjk::larger(R(reach + R(kReachRoundings) * u * gjk::magnitude(reach) + careful), out.lower);
+  out.upper = gjk::larger(R(reach + R(kReachRoundings<2>) * u * gjk::magnitude(reach) + careful),
+                          out.lower);
   out.depth = gjk::smaller(gjk::larger(nearest.value, out.lower), out.upper);
   const R unit = u * Traits::root(size);
   out.is_tight = is_certain && reach - nearest.value <= R(kAllowedGap) * unit &&

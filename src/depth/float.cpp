@@ -1,0 +1,3 @@
+#include "depth/instances.hpp"
+
+GJKSCOPE_DEPTH_INSTANCES(, float)
