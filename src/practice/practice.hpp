@@ -10,7 +10,7 @@ namespace gjkscope::practice {
 
 class Practice {
  public:
-  /// Of a chapter that has practice. The same seed and answers give the same tasks.
+  /// For a chapter that has practice. The same seed and answers give the same tasks.
   Practice(int chapter, std::uint64_t seed)
       : kinds_(kinds_of(chapter)), schedule_(static_cast<int>(kinds_.size())), draws_(seed) {
     make();

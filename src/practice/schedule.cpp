@@ -11,8 +11,8 @@ constexpr std::array kOthers = {1, 3, 7};
 }  // namespace
 
 int Schedule::kind() const {
-  // Of those that are due, the one that waits longest; else the one of no other time that was last
-  // asked longest ago; else, where all wait, the one that is due first.
+  // First those that are due, the longest wait first; then those that are asked in turn, the
+  // longest since their last task first; then those that wait, the earliest first.
   const auto before = [&](const State& a, const State& b) {
     const auto rank = [&](const State& state) {
       const bool waits = state.stage >= 0;

@@ -10,7 +10,7 @@ namespace gjkscope::practice {
 /// first of these again where it is wrong once more. A plain value.
 class Schedule {
  public:
-  /// Of at least one kind.
+  /// For at least one kind.
   explicit Schedule(int kinds) : kinds_(static_cast<std::size_t>(kinds)) {}
   /// The kind of the next task, from 0.
   [[nodiscard]] int kind() const;

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "lesson/plane.hpp"
 #include "outlines/polygon.hpp"
 #include "outlines/polyhedron.hpp"
 
@@ -206,17 +207,18 @@ void draw_on_face(Draws& draws, Lesson& lesson) {
 }
 
 void draw_polyhedron(Draws& draws, Lesson& lesson) {
-  const int wanted = draws.among(5, 6);
+  const auto wanted = static_cast<std::size_t>(draws.among(5, 6));
   std::vector<Vector3d> corners;
-  for (int i = 0; i < wanted; ++i) corners.push_back(point_in_space(draws));
+  Polyhedron hull;
+  do {
+    corners.clear();
+    while (corners.size() < wanted) corners.push_back(point_in_space(draws));
+    hull = hull_in_space(corners);
+  } while (hull.vertices.size() < wanted || hull.faces.size() < 4);
   const double x = draws.among(-kWide, kWide);
   const double y = draws.among(-kWide, kWide);
   const double z = draws.among(-1, 2 * kDeep + 1);
-  // Points within are left out, so that each vertex is a corner.
-  std::vector<Vector3d> hull;
-  for (const int corner : hull_in_space(corners).vertices)
-    hull.push_back(corners[static_cast<std::size_t>(corner)]);
-  put_query(lesson, Vector3d(x, y, z), hull);
+  put_query(lesson, Vector3d(x, y, z), corners);
 }
 
 }  // namespace gjkscope::practice

@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "frames/frame.hpp"
 #include "gjk/simplex.hpp"
+#include "lesson/names.hpp"
 #include "picture/words.hpp"
 #include "run/questions.hpp"
 #include "subjects/subjects.hpp"
@@ -283,25 +284,22 @@ double size_of(const Lesson& lesson) {
   return size;
 }
 
-/// The axes, both ways, and the corners of a cube, or a square, as arrows whose hull holds the
-/// ball, or disk, of radius 1.
+/// The axes, both ways, and the corners of a square, or a cube: arrows of one length, whose hull
+/// holds the disk, or ball, of radius 1. In the plane it is an octagon, 1 / cos(π/8) long. In space
+/// a face has the corners (1, 0, 0), (1, 1, 1) / √3 and (1, 1, -1) / √3, so its plane is
+/// x + (√3 - 1) y = 1.
 std::vector<Vector3d> ways(int dimension) {
-  const double longest = dimension == 2
-                             ? 1.0 / std::cos(std::numbers::pi / 8.0)  // corners of an octagon
-                             : std::sqrt(5.0 - 2.0 * std::sqrt(3.0));  // see below
-  // In space a face of the hull has the corners (1, 0, 0), (1, 1, 1) / √3 and (1, 1, -1) / √3; its
-  // plane is x + (√3 - 1) y = 1.
+  const double length =
+      std::sqrt(dimension == 2 ? 4.0 - 2.0 * std::sqrt(2.0) : 5.0 - 2.0 * std::sqrt(3.0));
   std::vector<Vector3d> out;
-  for (const double side : {1.0, -1.0}) {
-    for (int axis = 0; axis < dimension; ++axis)
-      out.emplace_back(side * longest * Vector3d::Unit(axis));
+  for (const double x : {1.0, -1.0}) {
+    for (int axis = 0; axis < dimension; ++axis) out.emplace_back(x * Vector3d::Unit(axis));
     for (const double y : {1.0, -1.0}) {
-      for (const double z : {1.0, -1.0}) {
-        const Vector3d corner(side, y, dimension == 3 ? z : 0.0);
-        if (dimension == 3 || z > 0.0) out.emplace_back(longest * corner.normalized());
-      }
+      out.emplace_back(x, y, dimension == 2 ? 0.0 : 1.0);
+      if (dimension == 3) out.emplace_back(x, y, -1.0);
     }
   }
+  for (Vector3d& way : out) way = length * way.normalized();
   return out;
 }
 
@@ -438,6 +436,8 @@ Task told(const Kind& kind, const LessonRun& run) {
   Task task;
   task.kind = &kind;
   task.lesson = run.lesson;
+  if (!trace_of(run).is_empty())
+    task.lesson.expect.stop = name_of(trace_of(run).result.stop);  // which a file has to say
   task.asking = asked.asking;
   task.telling = asked.telling;
   const FrameText& asking = asked.texts[static_cast<std::size_t>(asked.asking)];
@@ -462,18 +462,26 @@ Task told(const Kind& kind, const LessonRun& run) {
     task.telling = static_cast<int>(run.frames.size()) - 1;
     task.choices.clear();
     task.answer = answer_of_run(run);
-    task.reason = asked.texts.back().caption;
+    const FrameText& last = asked.texts[asked.texts.size() - 2];
+    task.reason = last.question ? last.question->reason : asked.texts.back().caption;
   } else if (kind.ask == kNextEdge) {
     task.question =
-        "The outline of Y − X starts at its lowest corner and goes counter-clockwise. Bold edges "
-        "are taken. Which edge comes next?";
+        "The outline of Y − X goes counter-clockwise from its lowest corner. The bold edge is its "
+        "first. Which edge comes next?";
   } else if (kind.ask == kStop) {
     task.asking = 0;  // Later frames show whether P = Q.
   } else if (!asking.question->pair.empty()) {
     task.choices.clear();
   }
-  if (kind.is_tie && kind.ask == kRegion)
-    task.question += " A border belongs to the smaller feature.";
+  if (kind.ask == kRegion) {
+    std::sort(task.choices.begin(), task.choices.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.size(), a) < std::pair(b.size(), b);
+    });
+    if (kind.is_tie) {
+      task.question += " A border belongs to the smaller feature.";
+      task.reason = "Q lies on a border.";
+    }
+  }
   return task;
 }
 

@@ -18,9 +18,12 @@
 
 #include "base/file.hpp"
 #include "export/work_sheet.hpp"
+#include "lesson/load.hpp"
+#include "lesson/save.hpp"
 #include "picture/text_box.hpp"
 #include "practice/schedule.hpp"
 #include "practice/task.hpp"
+#include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 
 namespace gjkscope {
@@ -270,7 +273,7 @@ class Solver {
     return (out.empty() ? "none" : out) + "; then " + stops(simplex);
   }
 
-  /// Of all pairs of a vertex and a side, the closest.
+  /// The closest pair of a vertex and a side.
   std::string closest(bool of_x) const {
     std::string found;
     double nearest = HUGE_VAL;
@@ -295,7 +298,7 @@ class Solver {
     return found;
   }
 
-  /// Of the first two choices the edge that turns less from the direction to the right: "edge LM of
+  /// The edge of the first two choices that turns less from the direction to the right: "edge LM of
   /// Y", "edge DA of −X".
   std::string next_edge() const {
     std::array<double, 2> angle{};
@@ -310,7 +313,7 @@ class Solver {
     return task_.choices[angle[0] < angle[1] ? 0 : 1];
   }
 
-  /// Of choices such as "K−A to L−C".
+  /// For choices such as "K−A to L−C".
   std::string nearest_edge() const {
     return *std::min_element(task_.choices.begin(), task_.choices.end(),
                              [&](const auto& a, const auto& b) {
@@ -417,6 +420,21 @@ TEST(Tasks, FollowFromTheSeed) {
     EXPECT_TRUE(differs) << chapter;
   }
   EXPECT_TRUE(practice::kinds_of(6).empty());
+}
+
+TEST(Tasks, AreLessonsThatAFileCouldHold) {
+  for (const int chapter : practice::chapters_with_practice()) {
+    for (const Kind& kind : practice::kinds_of(chapter)) {
+      const Task task = practice::make_task(kind, 1);
+      const LoadedLesson loaded =
+          parse_lesson(lesson_toml(task.lesson), "practice.toml", vocabulary());
+      EXPECT_EQ(to_string(loaded.problems), "") << chapter << ", " << kind.name;
+      ASSERT_TRUE(loaded.lesson);
+      const LessonRun run = run_lesson(*loaded.lesson);
+      EXPECT_EQ(to_string(check_expectation(run)), "") << chapter << ", " << kind.name;
+      EXPECT_GE(run.frames[static_cast<std::size_t>(task.telling)].step, 0);
+    }
+  }
 }
 
 TEST(Tasks, HaveEveryKindOnceBeforeAnyComesAgain) {

@@ -80,15 +80,17 @@ struct Predict {
     wrapped_text(
         "Tasks about new shapes, of a chapter. Kinds that went wrong come again after one, three "
         "and seven others.");
+    ImGui::TextUnformatted("Chapter");
     for (const int chapter : practice::chapters_with_practice()) {
-      if (chapter > 1) ImGui::SameLine();
+      ImGui::SameLine();
       if (ImGui::Button(fmt::format("{}##practice", chapter).c_str())) practise(chapter);
       tip(fmt::format("Practise chapter {}", chapter), tips::kBelow, ImGui::IsItemHovered());
     }
     if (!practice) return;
-    wrapped_text(fmt::format("Chapter {}: {} of {} tasks right; {} {} again", practice->chapter(),
-                             practice->right(), practice->answered(), practice->repeating(),
-                             practice->repeating() == 1 ? "kind comes" : "kinds come"));
+    if (practice->answered() > 0)
+      wrapped_text(fmt::format("Chapter {}: {} of {} tasks right, {} to repeat",
+                               practice->chapter(), practice->right(), practice->answered(),
+                               practice->repeating()));
     if (session().version() != version) {
       if (ImGui::Button("Back to the task", {-1.0f, 0.0f})) show_task();
     } else {
