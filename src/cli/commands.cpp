@@ -231,6 +231,26 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
   return result.signal == 0 ? kDone : kSignalBase + result.signal;
 }
 
+int practice_command(const Environment& env, int chapter, int tasks, std::uint64_t seed,
+                     WorkSheetFile options) {
+  const std::vector<int>& chapters = practice::chapters_with_practice();
+  if (std::find(chapters.begin(), chapters.end(), chapter) == chapters.end()) {
+    env.err << fmt::format("gjkscope practice: chapter {} has no practice; {} have\n", chapter,
+                           fmt::join(chapters, ", "));
+    return kUsage;
+  }
+  if (options.file.extension() != ".pdf") {
+    env.err << fmt::format("gjkscope practice: {} is no .pdf; a work sheet is\n",
+                           options.file.string());
+    return kUsage;
+  }
+  options.assets_dir = env.share / "assets";
+  if (options.file.has_parent_path()) fs::create_directories(options.file.parent_path());
+  write_work_sheet(chapter, tasks, seed, options);
+  env.out << options.file.string() << '\n';
+  return flushed(env) ? kDone : kCannot;
+}
+
 int open_command(const Environment& env, const std::string& file, bool json) {
   const std::optional<std::string> bytes = read_text(env, file);
   if (!bytes) return kCannot;

@@ -14,6 +14,7 @@
 #include "answers/answers.hpp"
 #include "export/export.hpp"
 #include "export/sheet.hpp"
+#include "export/work_sheet.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
 #include "site/site.hpp"
@@ -56,6 +57,11 @@ int export_command(const Environment& env, const LessonChoice& choice, ExportOpt
 
 /// Writes the sheet of a chapter.
 int sheet_command(const Environment& env, int chapter, SheetFile options);
+
+/// Writes tasks of a chapter and their answers; kUsage where the chapter has no practice.
+/// `options.assets_dir` is filled in here.
+int practice_command(const Environment& env, int chapter, int tasks, std::uint64_t seed,
+                     WorkSheetFile options);
 
 /// Starts the window, beside this program or on the PATH, with the step that an exported file
 /// shows; `json`: prints the file's record instead.

@@ -76,6 +76,9 @@ struct Arguments {
   StudyOptions study;
   std::optional<int> sheet;
   Paper paper = Paper::a4;
+  int chapter = 0;
+  int tasks = 12;
+  std::uint64_t seed = 1;
   std::vector<std::string> programs;
   judging::TrialOptions trial;
 };
@@ -215,6 +218,31 @@ void add_commands(CLI::App& app, Arguments& args) {
   lessons->footer("Examples:\n  gjkscope lessons\n  gjkscope lessons --json\n");
 
   add_export(app, args);
+
+  CLI::App* practice =
+      app.add_subcommand("practice", "Make a work sheet of tasks, and the pages with its answers");
+  practice->add_option("--chapter", args.chapter, "Chapter to practise: 1 to 5, or 9, in space")
+      ->required()
+      ->type_name("N");
+  practice->add_option("--tasks", args.tasks, "How many")
+      ->check(CLI::Range(1, kMostTasks))
+      ->type_name("N")
+      ->capture_default_str();
+  practice->add_option("--seed", args.seed, "The same seed gives the same sheet, byte for byte")
+      ->type_name("N")
+      ->capture_default_str();
+  practice->add_option("--out", args.out, "The sheet, a pdf")->required()->type_name("FILE");
+  parsed(practice, "--paper", args.paper, paper_of, "one of a4, letter",
+         "a4, if not given, or letter")
+      ->type_name("a4|letter");
+  practice->add_option("--theme", args.export_options.theme, "Colours; print, if not given");
+  practice->add_flag("--force", args.export_options.force,
+                     "Replace a file that gjkscope did not export");
+  practice->footer(
+      "Coordinates are small whole numbers, and no decision is near a tie, unless it is one "
+      "exactly:\nall can be worked out by hand. Answers are those of the core.\n\n"
+      "Examples:\n  gjkscope practice --chapter 3 --out sheet.pdf\n"
+      "  gjkscope practice --chapter 9 --tasks 6 --seed 7 --out space.pdf --paper letter\n");
 
   CLI::App* open =
       app.add_subcommand("open", "Open the window at the step that an exported file shows");
@@ -542,6 +570,15 @@ int run_export(const Environment& env, const CLI::App& command, Arguments& args)
 int run(const CLI::App& app, Arguments& args) {
   const Environment env{share_folder(), std::cin, std::cout, std::cerr};
   if (app.got_subcommand("lessons")) return list_lessons(env, args.json);
+  if (app.got_subcommand("practice")) {
+    WorkSheetFile sheet{.file = args.out,
+                        .assets_dir = {},
+                        .paper = args.paper,
+                        .force = args.export_options.force};
+    if (app.get_subcommand("practice")->count("--theme") > 0)
+      sheet.theme = args.export_options.theme;
+    return practice_command(env, args.chapter, args.tasks, args.seed, std::move(sheet));
+  }
   if (app.got_subcommand("open")) return open_command(env, args.name, args.json);
   if (app.got_subcommand("trace"))
     return trace_command(env, args.name, {args.scalar, args.method}, args.json);

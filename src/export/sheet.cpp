@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <type_traits>
-#include <variant>
 
 #include "base/file.hpp"
 #include "frames/frame.hpp"
@@ -15,6 +13,7 @@
 #include "paint/pdf.hpp"
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
+#include "picture/part.hpp"
 #include "picture/plot.hpp"
 #include "picture/text_box.hpp"
 #include "run/graph.hpp"
@@ -36,28 +35,6 @@ constexpr double kCaptionLines = 2.0;  // of a picture
 constexpr double kGap = 24.0;
 constexpr std::size_t kColumns = 3;    // of pictures
 constexpr double kPictureShare = 0.7;  // height over width
-
-/// The mark, that far from where it was.
-Mark moved(Mark mark, const Point& by) {
-  const auto move = [&](auto&... points) { ((points += by), ...); };
-  std::visit(
-      [&](auto& shape) {
-        using Shape = std::decay_t<decltype(shape)>;
-        if constexpr (std::is_same_v<Shape, Polygon> || std::is_same_v<Shape, Polyline>) {
-          for (Point& p : shape.points) move(p);
-        } else if constexpr (std::is_same_v<Shape, Arrow>) {
-          move(shape.from, shape.to);
-        } else if constexpr (std::is_same_v<Shape, Box>) {
-          move(shape.rect.min, shape.rect.max);
-        } else if constexpr (std::is_same_v<Shape, Text>) {
-          move(shape.at);
-        } else {
-          move(shape.center);
-        }
-      },
-      mark.shape);
-  return mark;
-}
 
 /// Writes a page from top to bottom.
 class SheetWriter {
@@ -249,15 +226,7 @@ class SheetWriter {
 
   void add(const Picture& part, std::size_t cell, const std::string& caption) {
     const Rect to = slot(cell);
-    const int clips = static_cast<int>(picture_.clips.size());
-    for (const Rect& clip : part.clips)
-      picture_.clips.push_back({clip.min + to.min, clip.max + to.min});
-    for (const Mark& each : part.marks) {
-      Mark mark = moved(each, to.min);
-      if (mark.clip >= 0) mark.clip += clips;
-      mark.subject = {};
-      picture_.marks.push_back(std::move(mark));
-    }
+    add_part(picture_, part, to.min);
     const double y = std::exchange(y_, to.max.y());
     for (const std::string& line : wrapped(fonts_, kSheetSmall, caption, to.size().x())) {
       y_ += kSmallLine;

@@ -192,6 +192,43 @@ TEST(Program, TheShareFolderCanBeGiven) {
   EXPECT_TRUE(holds(ran.err, empty.path().string()));
 }
 
+TEST(Program, PracticeMakesTheSameSheetOfTheSameSeed) {
+  const test::TemporaryFolder folder;
+  const auto made = [&](const std::string& seed) {
+    const std::string file = (folder.path() / ("sheet-" + seed + ".pdf")).string();
+    const Ran ran = run_program("practice --chapter 3 --tasks 3 --seed " + seed + " --out " + file);
+    EXPECT_EQ(kDone, ran.exit_code) << ran.err;
+    EXPECT_EQ(file + "\n", ran.out);
+    return test::read_file(file);
+  };
+  const std::string first = made("7");
+  EXPECT_TRUE(first == made("7"));
+  EXPECT_FALSE(first == made("8"));
+}
+
+TEST(Program, PracticeSaysWhatItCannotMake) {
+  const test::TemporaryFolder folder;
+  const std::string out = " --out " + folder.path().string();
+  const auto refused = [&](const std::string& arguments, int code, const std::string& words) {
+    const Ran ran = run_program("practice " + arguments);
+    EXPECT_EQ(code, ran.exit_code) << arguments;
+    EXPECT_EQ("", ran.out);
+    EXPECT_TRUE(holds(ran.err, words)) << ran.err;
+  };
+  refused("--chapter 6" + out + "/s.pdf", kUsage,
+          "chapter 6 has no practice; 1, 2, 3, 4, 5, 9 have");
+  refused("--chapter 3 --tasks 0" + out + "/s.pdf", kUsage, "--tasks");
+  refused("--chapter 3 --tasks 61" + out + "/s.pdf", kUsage, "--tasks");
+  refused("--chapter 3 --seed x" + out + "/s.pdf", kUsage, "--seed");
+  refused("--chapter 3 --paper a5" + out + "/s.pdf", kUsage, "a4, letter");
+  refused("--chapter 3" + out + "/s.png", kUsage, "s.png is no .pdf");
+  refused("--tasks 3" + out + "/s.pdf", kUsage, "--chapter is required");
+  refused("--chapter 3 --tasks 1 --out /proc/s.pdf", kCannot, "/proc/s.pdf");
+  const std::string mine = folder.file("mine.pdf", "notes");
+  refused("--chapter 3 --tasks 1 --out " + mine, kCannot, "--force");
+  EXPECT_EQ("notes", test::read_file(mine));
+}
+
 /// The offers of a shell for the word that follows `words`.
 std::set<std::string> offered(const std::string& shell, const std::string& words) {
   const test::TemporaryFolder folder;
@@ -228,8 +265,9 @@ std::set<std::string> options_in(const std::string& help) {
 class Completion : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Completion, OffersEveryOptionThatHelpLists) {
-  for (const std::string command : {"lessons", "export", "open", "trace", "solve", "judge", "check",
-                                    "transcript", "explain", "study accuracy", "study effects"}) {
+  for (const std::string command :
+       {"lessons", "export", "open", "trace", "solve", "judge", "check", "transcript", "explain",
+        "practice", "study accuracy", "study effects"}) {
     const std::set<std::string> listed = options_in(run_program(command + " --help").out);
     EXPECT_TRUE(listed.contains("--help"));
     EXPECT_EQ(listed, offered(GetParam(), "gjkscope " + command + " --")) << command;

@@ -544,6 +544,26 @@ void go_to_question(HeadlessApp& window, const std::string& ask) {
   ASSERT_TRUE(session.question() && session.question()->ask == ask);
 }
 
+TEST(App, PracticeGoesOnWithAnotherTaskOnceOneIsAnswered) {
+  HeadlessApp window;
+  Session& session = window.session();
+  ASSERT_TRUE(window.app().run_command("Practise chapter 1"));
+  window.settle();
+  for (int i = 0; i < 3; ++i) {
+    const Lesson lesson = session.lesson();
+    EXPECT_EQ("practice", lesson.id);
+    EXPECT_FALSE(session.is_unsaved());
+    ASSERT_TRUE(session.question());
+    window.key("W");
+    EXPECT_TRUE(lesson == session.lesson()) << "an open question is not passed over";
+    window.key("1");
+    EXPECT_EQ(nullptr, session.question());
+    EXPECT_EQ(i + 1, static_cast<int>(session.answers().size()));
+    window.key("W");
+    EXPECT_FALSE(lesson == session.lesson());
+  }
+}
+
 TEST(App, APairIsPredictedByItsTwoVertices) {
   HeadlessApp window;
   Session& session = window.session();

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <tuple>
 
 #include "app.hpp"
+#include "practice/practice.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
@@ -16,6 +19,9 @@ struct Predict {
   App& app;
   bool every_step = true;  ///< Or what the lesson asks.
   bool is_open = false;
+  std::optional<practice::Practice> practice = {};
+  long version = -1;  ///< The session's, while it shows the task of `practice`.
+  std::uint64_t seed = 0;
 
   [[nodiscard]] Session& session() const { return app.session(); }
 
@@ -30,6 +36,66 @@ struct Predict {
       if (frame.question >= 0) return true;
     }
     return false;
+  }
+
+  void show_task() {
+    if (!app.show(practice->task().lesson, {}, "practice")) return;
+    every_step = false;
+    ask();
+    const std::vector<Frame>& frames = session().run().frames;
+    const auto asking = std::find_if(frames.begin(), frames.end(),
+                                     [](const Frame& frame) { return frame.question >= 0; });
+    session().go_to(static_cast<int>(asking - frames.begin()));
+    version = session().version();
+  }
+
+  void practise(int chapter) {
+    practice.emplace(chapter, seed++);
+    show_task();
+  }
+
+  /// Whether all answers to the task were right; nothing before all of them are given.
+  [[nodiscard]] std::optional<bool> outcome() const {
+    bool right = true;
+    const std::vector<Frame>& frames = session().run().frames;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      if (frames[i].question < 0) continue;
+      const Answer* given = session().given(static_cast<int>(i));
+      if (given == nullptr) return std::nullopt;
+      right = right && given->is_right();
+    }
+    return right;
+  }
+
+  void next_task() {
+    practice->answer(*outcome());
+    show_task();
+  }
+  [[nodiscard]] bool has_answered_task() const {
+    return practice && session().is_asking() && session().version() == version && outcome();
+  }
+
+  void draw_practice() {
+    heading(app, "Practice");
+    wrapped_text(
+        "Tasks about new shapes, of a chapter. Kinds that went wrong come again after one, three "
+        "and seven others.");
+    ImGui::TextUnformatted("Chapter");
+    for (const int chapter : practice::chapters_with_practice()) {
+      ImGui::SameLine();
+      if (ImGui::Button(fmt::format("{}##practice", chapter).c_str())) practise(chapter);
+      tip(fmt::format("Practise chapter {}", chapter), tips::kBelow, ImGui::IsItemHovered());
+    }
+    if (!practice) return;
+    if (practice->answered() > 0)
+      wrapped_text(fmt::format("Chapter {}: {} of {} tasks right, {} to repeat",
+                               practice->chapter(), practice->right(), practice->answered(),
+                               practice->repeating()));
+    if (session().version() != version) {
+      if (ImGui::Button("Back to the task", {-1.0f, 0.0f})) show_task();
+    } else {
+      app.draw_button("Next task", -1.0f);
+    }
   }
 
   void draw() {
@@ -62,6 +128,8 @@ struct Predict {
       }
       app.draw_button("Next step", -1.0f);
     }
+    ImGui::Separator();
+    draw_practice();
     if (session().answers().empty()) return;
     ImGui::Separator();
     if (ImGui::Button("Save the answers as JSON")) {
@@ -99,6 +167,18 @@ Drawer predict_drawer(App& app) {
   }
   drawer.commands.push_back(
       {"Answer with the choice", "Predict", {"Enter"}, [&app] { app.asking().enter(); }, is_asked});
+  for (const int chapter : practice::chapters_with_practice()) {
+    drawer.commands.push_back(
+        {fmt::format("Practise chapter {}", chapter), "Predict", {}, [&app, predict, chapter] {
+           app.show_drawer("Predict");
+           predict->practise(chapter);
+         }});
+  }
+  drawer.commands.push_back({"Next task",
+                             "Predict",
+                             {"W"},
+                             [predict] { predict->next_task(); },
+                             [predict] { return predict->has_answered_task(); }});
   return drawer;
 }
 
