@@ -194,10 +194,15 @@ void write_work_sheet(int chapter, int count, std::uint64_t seed, const WorkShee
   const Fonts fonts(options.assets_dir / "fonts.toml");
   const Theme theme = Theme::load(options.assets_dir / "themes", options.theme);
   const std::string title = fmt::format("Practice: chapter {}. {}", chapter, sheet.title);
+  std::vector<Picture> pages = work_sheet_pages(sheet, fonts, options.paper);
+  const std::size_t of_tasks = pages.size() / 2;
   std::vector<PdfFigure> figures;
-  for (Picture& page : work_sheet_pages(sheet, fonts, options.paper)) {
-    const std::string label = fmt::format("{}", figures.size() + 1);
-    figures.push_back({std::move(page), label, fmt::format("Page {}", label), {}});
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    figures.push_back(
+        {std::move(pages[i]),
+         fmt::format("{}", i + 1),
+         fmt::format("{}, page {}", i < of_tasks ? "Tasks" : "Answers", i % of_tasks + 1),
+         {}});
   }
   write_whole(options.file,
               to_pdf(figures, fonts, theme, {title, signature(), {}}, {.scale = 72.0 / kSheetDpi}));

@@ -231,20 +231,18 @@ void draw_start(Draws& draws, const Kind& kind, Lesson& lesson) {
 
 /// A frame that asks, and the first after it that tells.
 struct Asked {
-  int asking = 0;
-  int telling = 0;
-  std::vector<FrameText> texts;
+  std::size_t asking = 0;
+  std::size_t telling = 0;
 };
 
 /// Nothing where no frame asks.
-std::optional<Asked> asked_in(const LessonRun& run) {
+std::optional<Asked> asked_in(const std::vector<Frame>& frames) {
   const auto asks = [](const Frame& frame) { return frame.question >= 0; };
-  const auto asking = std::find_if(run.frames.begin(), run.frames.end(), asks);
-  const auto telling = std::find_if_not(asking, run.frames.end(), asks);
-  if (telling == run.frames.end()) return std::nullopt;
-  EffectGraph effects(run);
-  return Asked{static_cast<int>(asking - run.frames.begin()),
-               static_cast<int>(telling - run.frames.begin()), lesson_texts(run, effects)};
+  const auto asking = std::find_if(frames.begin(), frames.end(), asks);
+  const auto telling = std::find_if_not(asking, frames.end(), asks);
+  if (telling == frames.end()) return std::nullopt;
+  return Asked{static_cast<std::size_t>(asking - frames.begin()),
+               static_cast<std::size_t>(telling - frames.begin())};
 }
 
 /// The support points that a run found, but for a last one that it had already, and why it ended:
@@ -264,14 +262,16 @@ std::string answer_of_run(const LessonRun& run) {
 /// nothing.
 using Decision = std::vector<std::string>;
 
-Decision decision(const Kind& kind, const LessonRun& run) {
+Decision decision(const Kind& kind, LessonRun run) {
   if (!why_not_drawn(run.runs.front()).empty()) return {};
   if (kind.on_paper == OnPaper::run) return {answer_of_run(run)};
-  const std::optional<Asked> asked = asked_in(run);
+  const std::optional<Asked> asked = asked_in(run.frames);
   if (!asked) return {};
-  const FrameQuestion& question = *asked->texts[static_cast<std::size_t>(asked->asking)].question;
-  Decision out = {question.answer};
-  out.insert(out.end(), question.choices.begin(), question.choices.end());
+  run.frames.resize(asked->asking + 1);  // Words of later frames would only take time.
+  EffectGraph effects(run);
+  const FrameText text = lesson_texts(run, effects).back();
+  Decision out = {text.question->answer};
+  out.insert(out.end(), text.question->choices.begin(), text.question->choices.end());
   return out;
 }
 
@@ -432,16 +432,18 @@ std::string on_paper(std::string caption) {
 }
 
 Task told(const Kind& kind, const LessonRun& run) {
-  const Asked asked = *asked_in(run);
+  const Asked asked = *asked_in(run.frames);
+  EffectGraph effects(run);
+  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  const FrameText& asking = texts[asked.asking];
   Task task;
   task.kind = &kind;
   task.lesson = run.lesson;
   if (!trace_of(run).is_empty())
     task.lesson.expect.stop = name_of(trace_of(run).result.stop);  // which a file has to say
-  task.asking = asked.asking;
-  task.telling = asked.telling;
-  const FrameText& asking = asked.texts[static_cast<std::size_t>(asked.asking)];
-  task.given = given_in(kind, run, run.frames[static_cast<std::size_t>(asked.asking)]);
+  task.asking = static_cast<int>(asked.asking);
+  task.telling = static_cast<int>(asked.telling);
+  task.given = given_in(kind, run, run.frames[asked.asking]);
   task.question = on_paper(asking.caption);
   task.choices = asking.question->choices;
   task.answer = asking.question->answer;
@@ -462,8 +464,8 @@ Task told(const Kind& kind, const LessonRun& run) {
     task.telling = static_cast<int>(run.frames.size()) - 1;
     task.choices.clear();
     task.answer = answer_of_run(run);
-    const FrameText& last = asked.texts[asked.texts.size() - 2];
-    task.reason = last.question ? last.question->reason : asked.texts.back().caption;
+    const FrameText& last = texts[texts.size() - 2];
+    task.reason = last.question ? last.question->reason : texts.back().caption;
   } else if (kind.ask == kNextEdge) {
     task.question =
         "The outline of Y − X goes counter-clockwise from its lowest corner. The bold edge is its "

@@ -80,6 +80,7 @@ struct Predict {
     wrapped_text(
         "Tasks about new shapes, of a chapter. Kinds that went wrong come again after one, three "
         "and seven others.");
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Chapter");
     for (const int chapter : practice::chapters_with_practice()) {
       ImGui::SameLine();
