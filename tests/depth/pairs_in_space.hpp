@@ -100,4 +100,7 @@ inline constexpr auto kDenormals = static_cast<DepthFamily>(families::Family::de
              : pair;
 }
 
+/// Bars of the depth itself and of its bounds, in u times the scale; then as in the plane.
+inline const Judgement kBars = {"", 4, 24, 8, 8};
+
 }  // namespace test::space

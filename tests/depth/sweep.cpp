@@ -32,6 +32,7 @@ struct Space {
     return test::meeting_pair(source, family, values);
   }
   static Truth truth_of(const Pair& pair) { return test::truth_of(pair); }
+  static const Judgement& bars() { return kBars; }
 };
 template <>
 struct Space<3> {
@@ -44,6 +45,7 @@ struct Space<3> {
     return space::meeting_pair(source, family, values);
   }
   static space::Truth truth_of(const Pair& pair) { return space::truth_of(pair); }
+  static const Judgement& bars() { return space::kBars; }
 };
 
 template <int D>
@@ -115,11 +117,11 @@ class Worker {
   void check(const Pair& pair) {
     const auto truth = Space<D>::truth_of(pair);
     const auto result = depth::penetration<double>(pair.query());
-    note(pair, truth, result, Mode::in_double, kBars);
+    note(pair, truth, result, Mode::in_double);
     if (work_.representation == Representation::float_values) {
       const auto narrow = families::converted<float>(pair);
-      note(pair, truth, depth::penetration<double>(narrow.query()), Mode::float_in_double, kBars);
-      note(pair, truth, depth::penetration<float>(narrow.query()), Mode::in_float, kBars);
+      note(pair, truth, depth::penetration<double>(narrow.query()), Mode::float_in_double);
+      note(pair, truth, depth::penetration<float>(narrow.query()), Mode::in_float);
     }
     if (!keeps_bits_when_scaled(pair, result, source_.among(-90, 90))) {
       fail(rows_[0], pair, "bits of the pair times a power of two");
@@ -129,8 +131,7 @@ class Worker {
   }
 
   template <class R, class Truth>
-  void note(const Pair& pair, const Truth& truth, const depth::Result<R, D>& result, Mode mode,
-            const Judgement& bars) {
+  void note(const Pair& pair, const Truth& truth, const depth::Result<R, D>& result, Mode mode) {
     Row& row = rows_[static_cast<std::size_t>(mode)];
     ++row.counts[truth.verdict == gjk::Verdict::separated ? Row::separated : Row::pairs];
     row.counts[Row::touching] += truth.verdict == gjk::Verdict::touching;
@@ -141,7 +142,7 @@ class Worker {
     if (result.error != gjk::Error::none && work_.family == Space<D>::kDenormals) return;
     const Judgement found = judge(result, truth);
     row.widen(found);
-    const std::string broken = broken_bar(result, found, bars);
+    const std::string broken = broken_bar(result, found, Space<D>::bars());
     if (broken.empty()) return;
     fail(row, pair,
          fmt::format("{}: depth {:.17g} in [{:.17g}, {:.17g}], off by {:.3Lg}, {:.3Lg} wide, "
