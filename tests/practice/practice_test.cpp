@@ -95,7 +95,7 @@ class Solver {
     if (asked.starts_with("Which Voronoi region")) return region();
     if (asked.find("Which weights") != std::string::npos) return weights();
     if (asked.find("lies farthest along d") != std::string::npos) return farthest(d());
-    if (asked.find("can P do without") != std::string::npos) return dropped();
+    if (asked.find("has no weight in P") != std::string::npos) return dropped();
     if (asked.starts_with("Will GJK stop")) return stop();
     if (asked.starts_with("Go through GJK")) return run();
     if (asked.starts_with("Which point of ")) return closest(asked.substr(15, 1) == "X");
