@@ -183,7 +183,9 @@ void tell_answers(std::vector<FrameText>& texts) {
   for (std::size_t i = texts.size() - 1; i > 0 && texts[i - 1].question; --i) {
     const std::string& answer = texts[i - 1].question->answer;
     texts[i - 1].question->reason = answering.caption;
-    answering.detail += texts[i - 1].question->refuted;
+    // There is room for what the run says against the other choices, and for one sentence more.
+    if (const std::string& refuted = texts[i - 1].question->refuted; !refuted.empty())
+      answering.detail = answering.detail.substr(0, answering.detail.find(". ")) + ". " + refuted;
     answers = answers.empty() ? answer : answer + "; " + answers;
   }
   if (answers.empty()) return;

@@ -111,29 +111,30 @@ class Asking {
     const WideState& end = step_.after;
     const std::string& q = story_.q;
     asked_.answer = true_reason(end.stop);
-    // Reasons that students give, as far as this run refutes them.
+    // Reasons that students give, and what the run says against them.
     std::vector<std::pair<std::string, std::string>> wrong;
     if (end.p_sq > 0.0)
-      wrong.emplace_back(fmt::format("P has reached {}", q),
-                         fmt::format("P is {} from {}", story_.numbers(std::sqrt(end.p_sq)), q));
+      wrong.emplace_back(
+          fmt::format("P has reached {}", q),
+          fmt::format("P is still {} from {}.", story_.numbers(std::sqrt(end.p_sq)), q));
+    const std::string which =
+        run_.point_query() ? "vertices of " + story_.set_name() : std::string("differences y − x");
     const std::size_t all = run_.lesson.x().vertices.size() * run_.lesson.y().vertices.size();
     if (const std::size_t tried = vertices_of_run(); tried < all)
-      wrong.emplace_back(run_.point_query()
-                             ? fmt::format("every vertex of {} has been in S", story_.set_name())
-                             : std::string("every difference y − x has been in S"),
-                         fmt::format("{} of {} have", tried, all));
+      wrong.emplace_back(fmt::format("all {} have been in S", which),
+                         fmt::format("S has had {} of {} {}.", tried, all, which));
     if (end.simplex.count > 1)
       wrong.emplace_back("P is a vertex of S",
-                         fmt::format("{} vertices have a weight in P", end.simplex.count));
+                         fmt::format("P has weight on {} vertices.", end.simplex.count));
     if (end.stop != gjk::StopReason::origin_inside)
       wrong.emplace_back(
           fmt::format("{} lies inside S", q),
-          fmt::format("S has {} vertices, too few for an inside", end.simplex.count));
+          fmt::format("S has too few vertices for an inside: {}.", end.simplex.count));
     constexpr std::size_t kWrong = 2;
     wrong.resize(std::min(wrong.size(), kWrong));
     for (const auto& [reason, fact] : wrong) {
       asked_.choices.push_back(reason);
-      asked_.refuted += fmt::format(" Not because {}: {}.", reason, fact);
+      asked_.refuted += (asked_.refuted.empty() ? "" : " ") + fact;
     }
     const auto place = static_cast<std::ptrdiff_t>(step_.iteration) %
                        static_cast<std::ptrdiff_t>(asked_.choices.size() + 1);
