@@ -184,8 +184,12 @@ void tell_answers(std::vector<FrameText>& texts) {
     const std::string& answer = texts[i - 1].question->answer;
     texts[i - 1].question->reason = answering.caption;
     // There is room for what the run says against the other choices, and for one sentence more.
-    if (const std::string& refuted = texts[i - 1].question->refuted; !refuted.empty())
-      answering.detail = answering.detail.substr(0, answering.detail.find(". ")) + ". " + refuted;
+    if (const std::string& refuted = texts[i - 1].question->refuted; !refuted.empty()) {
+      std::string& detail = answering.detail;
+      if (const std::size_t end = detail.find(". "); end != std::string::npos)
+        detail.erase(end + 1);
+      detail += (detail.empty() ? "" : " ") + refuted;
+    }
     answers = answers.empty() ? answer : answer + "; " + answers;
   }
   if (answers.empty()) return;

@@ -63,6 +63,7 @@ void search_direction(SceneBuilder& scene) {
   if (beside == nullptr || labels.empty() || labels.back().id != "arrow:d") return;
   const Point to_other = scene.middle_of_arrow(beside->after) - scene.middle_of_arrow(scene.state);
   if (labels.back().towards.dot(to_other) > 0.0) labels.back().towards = -labels.back().towards;
+  labels.back().keeps_side = true;
 }
 
 void best_support_line(SceneBuilder& scene) {

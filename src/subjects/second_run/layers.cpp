@@ -52,6 +52,7 @@ void second_run(SceneBuilder& scene) {
         side.dot(scene.middle_of_arrow(scene.state) - scene.middle_of_arrow(state)) > 0.0)
       side = -side;
     name("d", 0.5 * (p + tip), 0.0, side);
+    scene.out.moving_labels.back().keeps_side = scene.map.is_of_space();
   }
   scene.disk("second.closest", p, kPointRadius);
   // One label is enough when both are the same point to the eye.
