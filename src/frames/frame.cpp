@@ -212,13 +212,10 @@ std::vector<FrameText> lesson_texts(const LessonRun& run, EffectGraph& effects) 
     texts.front().detail = texts.front().caption;
     texts.front().caption = run.lesson.opening;
   }
-  const auto append = [&](const std::string& sentence) {
+  if (!run.lesson.next.empty()) {
     std::string& detail = texts.back().detail;
-    detail += (detail.empty() ? "" : " ") + sentence;
-  };
-  if (!run.lesson.in_space.empty())
-    append(fmt::format("Lesson {} shows the same in space.", run.lesson.in_space));
-  if (!run.lesson.next.empty()) append(run.lesson.next);
+    detail += (detail.empty() ? "" : " ") + run.lesson.next;
+  }
   return texts;
 }
 

@@ -34,7 +34,7 @@ std::vector<LessonKey> own_keys() {
       {"", "next", text_up_to(kNextLength), "none",
        "what the next lesson answers: ends the words of the last frame"},
       {"", "in_space", text_up_to(kLessonIdLength), "none",
-       "name of the lesson that shows the same in space: the last frame and the page say so"},
+       "name of the lesson that shows the same in space: the page links to it"},
       {"", "shapes", "table [shapes]", required, "the two shapes"},
       {"", "query", "table [query]", "its defaults", "how GJK runs"},
       {"", "steps", "table [steps]", "its defaults", "which frames there are"},

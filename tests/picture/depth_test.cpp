@@ -109,6 +109,7 @@ TEST(DepthFrames, AskForTheNearestEdgeBeforeItIsTold) {
 
 TEST(DepthFrames, ShapesApartHaveOneFrameThatSaysSo) {
   Lesson lesson = testing::shipped_lesson("penetration-depth");
+  lesson.opening.clear();
   lesson.x().translate = {-9.0, 0.0, 0.0};
   const LessonRun run = run_lesson(lesson);
   ASSERT_EQ(run.frames.size(), 1u);

@@ -437,11 +437,10 @@ TEST(Captions, SayHowWrongAWrongOrderIs) {
   EXPECT_TRUE(
       frames[2].text.caption.ends_with("wrong by |P′ − P| = " + fixed((foot - b).norm(), 3) + "."))
       << frames[2].text.caption;
-  EXPECT_NE(frames[2].text.detail.find(fixed((foot - q).norm(), 3) + " from Q, the triangle " +
-                                       fixed((b - q).norm(), 3)),
-            std::string::npos)
+  EXPECT_TRUE(frames[2].text.detail.starts_with(
+      "P′, the projection of Q onto the line AB, is not on the edge."))
       << frames[2].text.detail;
-  EXPECT_TRUE(frames[3].text.caption.ends_with("they still give vertex B."))
+  EXPECT_TRUE(frames[3].text.caption.ends_with("whole tests still give vertex B."))
       << frames[3].text.caption;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "frames/frame.hpp"
 #include "lessons.hpp"
@@ -54,11 +55,33 @@ TEST(QuestionFrames, OfThePentagon) {
   EXPECT_EQ(all[0].question.position, "iteration 2 · question");
   EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
   EXPECT_EQ(all[1].question.question->answer, "E");
+  EXPECT_EQ(all[2].question.caption, "Question: GJK stops here. Why?");
   EXPECT_EQ(all[2].question.question->choices,
-            (Choices{"no", "V in S", "V no farther", "P no closer", "Q inside S", "d = 0"}));
-  EXPECT_EQ(all[2].question.question->answer, "V in S");
-  EXPECT_TRUE(all[2].answer.caption.starts_with("Answer: V in S. C and D lie equally far along d"));
-  EXPECT_TRUE(all[2].answer.detail.starts_with("C is already in the simplex"));
+            (Choices{"no vertex lies farther along d than P", "P has reached Q",
+                     "all vertices of ABCDE have been in S"}));
+  EXPECT_EQ(all[2].question.question->answer, "no vertex lies farther along d than P");
+  EXPECT_NE(all[2].answer.detail.find("P is still 1.609 from Q. S has had 3 of 5 vertices"),
+            std::string::npos)
+      << all[2].answer.detail;
+}
+
+TEST(QuestionFrames, WhyARunEndsHasOneTrueReasonAndTwoThatItRefutes) {
+  const std::map<std::string, std::string> reasons = {
+      {"stop-repeated", "no vertex lies farther along d than P"},
+      {"stop-contained", "Q lies inside S"},
+      {"stop-vertex", "P has reached Q"},
+      {"stop-interior-edge", "P came no closer to Q"},
+      {"polygons-gjk", "no vertex lies farther along d than P"}};
+  for (const auto& [id, reason] : reasons) {
+    const Asked why = asked(asking(id, {{"why", {}}})).back();
+    EXPECT_EQ(why.question.question->answer, reason) << id;
+    EXPECT_EQ(why.question.question->choices.size(), 3u) << id;
+    EXPECT_FALSE(why.question.question->refuted.empty()) << id;
+  }
+  // A run that its cap ends has no reason to be asked for.
+  Lesson capped = asking("stop-repeated", {{"why", {}}});
+  capped.options.iteration_cap = 1;
+  EXPECT_TRUE(asked(capped).empty());
 }
 
 TEST(QuestionFrames, AnsweredByTheTestsBeforeTheSearch) {

@@ -138,6 +138,7 @@ TEST(SearchFrames, AskOnlyWhatAVisitAnswers) {
 TEST(SearchFrames, AShapeWithoutSegmentsIsRefused) {
   Lesson lesson = testing::shipped_lesson("hierarchy-distance");
   lesson.questions.clear();
+  lesson.opening.clear();
   lesson.x().vertices.resize(1);
   lesson.x().vertex_names.resize(1);
   const LessonRun run = run_lesson(lesson);

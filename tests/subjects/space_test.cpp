@@ -150,7 +150,9 @@ TEST(Solids, TheBodyBehindIsPaintedFirst) {
     const auto place = [&](const std::string& role) {
       return std::find_if(picture.marks.begin(), picture.marks.end(),
                           [&](const Mark& mark) {
-                            return mark.role == role && std::holds_alternative<Polygon>(mark.shape);
+                            // Of a body that the other hides in part the fill alone.
+                            return (mark.role == role || mark.role == role + ".fill") &&
+                                   std::holds_alternative<Polygon>(mark.shape);
                           }) -
              picture.marks.begin();
     };

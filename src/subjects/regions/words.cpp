@@ -125,8 +125,7 @@ void orders(const Story& story, FrameText& text) {
   const std::string taken = story.words.face(chain.region);
   if (chain.error > 0.0) {
     text.caption = fmt::format(
-        "{} the short test of {} is true in the whole shaded half-plane. It gives P′, wrong by "
-        "|P′ − P| = {}.",
+        "{} the short test of {} is true in the shaded half-plane: P′ is wrong by |P′ − P| = {}.",
         chain.order == gjk::RegionOrder::edges_first ? "Edges first:"
                                                      : "No vertex test is true, then",
         taken, story.numbers(chain.error));
