@@ -150,7 +150,7 @@ TEST(Solids, TheBodyBehindIsPaintedFirst) {
     const auto place = [&](const std::string& role) {
       return std::find_if(picture.marks.begin(), picture.marks.end(),
                           [&](const Mark& mark) {
-                            // Of a body that the other hides in part the fill alone.
+                            // A body that the other hides in part has its fill alone as a polygon.
                             return (mark.role == role || mark.role == role + ".fill") &&
                                    std::holds_alternative<Polygon>(mark.shape);
                           }) -
