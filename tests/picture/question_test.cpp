@@ -79,7 +79,7 @@ TEST(QuestionFrames, WhyARunEndsHasOneTrueReasonAndTwoThatItRefutes) {
     EXPECT_FALSE(why.question.question->refuted.empty()) << id;
   }
   // A run that its cap ends has no reason to be asked for.
-  Lesson capped = asking("stop-repeated", {{"why", {}}});
+  Lesson capped = asking("polygons-gjk", {{"why", {}}});
   capped.options.iteration_cap = 1;
   EXPECT_TRUE(asked(capped).empty());
 }
