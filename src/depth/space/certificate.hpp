@@ -127,7 +127,7 @@ template <class R, class S, class N>
     for (int i = 0; i < 3; ++i)
       corners[static_cast<std::size_t>(i)] = gjk::converted<R, Word, 3>(seen.vertices[i].w);
     out.weights = gjk::weights_of<R>(seen);
-    if (std::any_of(out.weights.begin(), out.weights.end(), [](const R& w) { return w != w; }))
+    if (!std::all_of(out.weights.begin(), out.weights.end(), gjk::ScalarTraits<R>::is_finite))
       weigh_edges(corners, out);
     Vec<R, 3> off = Vec<R, 3>::Zero();
     for (std::size_t i = 0; i < 3; ++i) off = off + Vec<R, 3>(corners[i] * out.weights[i]);
