@@ -831,6 +831,7 @@ claim("what takes long runs beside the page, says so, and is given up by a butto
 claim("a vertex without a name is named where the pointer comes near", async () => {
   const page = await open(url("playground"));
   await paste(page, { a: ring(40, 0, 3), b: ring(3, 6) });
+  await rest(page);
   await settle(page);
   const places = await page.evaluate(() => {
     const names = new Set([...document.querySelectorAll("#stage text")].map((label) => label.textContent));
