@@ -78,7 +78,8 @@ class Writer {
     width_ = (page.width - 2.0 * kMargin - kGap * (kColumns - 1)) / kColumns;
     const double high = (page.height - 2.0 * kMargin - kHead) / kRows;
     x_ = kMargin + static_cast<double>(cell % kColumns) * (width_ + kGap);
-    y_ = kMargin + kHead + static_cast<double>(cell / kColumns) * high;
+    const std::size_t row = cell / kColumns;
+    y_ = kMargin + kHead + static_cast<double>(row) * high;
   }
 
   /// The frame that asks, or the one that tells.
