@@ -108,7 +108,7 @@ constexpr Kind in_difference(Kind kind) {
   kind.view = ViewKind::difference;
   return kind;
 }
-constexpr Kind told_by(std::string_view act, int at, Kind kind) {
+constexpr Kind of_act(std::string_view act, int at, Kind kind) {
   kind.act = act;
   kind.at = at;
   return kind;
@@ -145,21 +145,21 @@ constexpr std::array kKinds = {
     Kind{4, "support point of the difference", draw_pair, 1, kSupport, is_any},
     in_difference({4, "region of a difference", draw_pair, 3, kRegion, is_pair}),
     in_difference({4, "region of an edge of differences", draw_pair, 3, kRegion, is_pair_edge}),
-    told_by("guess", 1, {4, "a vertex of X is closest", draw_pair, 1, kClosest, has_letters<1>}),
-    told_by("guess", 1, {4, "an edge of X is closest", draw_pair, 1, kClosest, has_letters<2>}),
+    of_act("guess", 1, {4, "a vertex of X is closest", draw_pair, 1, kClosest, has_letters<1>}),
+    of_act("guess", 1, {4, "an edge of X is closest", draw_pair, 1, kClosest, has_letters<2>}),
     whole_run({4, "a run of 2 iterations", draw_pair, 1, kSupport, is_run_of<2>}),
     whole_run({4, "a run of 3 iterations", draw_pair, 1, kSupport, is_run_of<3>}),
     whole_run({4, "shapes that overlap", draw_pair, 1, kSupport, is_overlap}),
     tie(whole_run(
         {4, "shapes with a vertex in one place", draw_touching, 1, kSupport, is_touching})),
 
-    told_by(kSum, 2, {5, "an edge of Y comes next", draw_pair, 0, kNextEdge, is_of_y}),
-    told_by(kSum, 2, {5, "an edge of −X comes next", draw_pair, 0, kNextEdge, is_of_x}),
-    tie(told_by(kSum, 2, {5, "parallel edges", draw_parallel, 0, kNextEdge, is_both})),
+    of_act(kSum, 2, {5, "an edge of Y comes next", draw_pair, 0, kNextEdge, is_of_y}),
+    of_act(kSum, 2, {5, "an edge of −X comes next", draw_pair, 0, kNextEdge, is_of_x}),
+    tie(of_act(kSum, 2, {5, "parallel edges", draw_parallel, 0, kNextEdge, is_both})),
     in_difference(
-        told_by("depth", 1, {5, "nearest edge at first", draw_pair, 1, kNearestEdge, is_any})),
+        of_act("depth", 1, {5, "nearest edge at first", draw_pair, 1, kNearestEdge, is_any})),
     in_difference(
-        told_by("depth", 2, {5, "nearest edge after a step", draw_pair, 1, kNearestEdge, is_any})),
+        of_act("depth", 2, {5, "nearest edge after a step", draw_pair, 1, kNearestEdge, is_any})),
 
     Kind{9, "region of a vertex", draw_tetrahedron, 4, kRegion, has_letters<1>},
     Kind{9, "region of an edge", draw_tetrahedron, 4, kRegion, has_letters<2>},
