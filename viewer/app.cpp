@@ -246,6 +246,13 @@ const ListedLesson* App::neighbour(int by) const {
   return nullptr;
 }
 
+void App::open_chapter(int chapter) {
+  const auto first = std::find_if(lessons_.begin(), lessons_.end(), [&](const auto& lesson) {
+    return lesson.chapter == chapter && lesson.problem.empty();
+  });
+  if (first != lessons_.end()) open_path(first->file);
+}
+
 bool App::can_click_on(int by) const {
   const int to = session_.index() + by;
   return (to >= 0 && to < session_.frame_count()) || (is_presenting() && neighbour(by) != nullptr);
@@ -269,7 +276,7 @@ const ListedLesson* App::listed(const std::string& id) const {
 void App::note_memory() {
   const std::string& id = session_.lesson().id;
   const bool is_new = noted_at_.second != session_.index() || noted_at_.first != id;
-  if (!is_new && noted_answers_ == session_.answers().size()) return;
+  if (!is_new && noted_answers_ == session_.answers().size()) return keep_memory();
   noted_at_ = {id, session_.index()};
   if (is_new && session_.index() + 1 == session_.frame_count()) memory_.finished.insert(id);
   // A lesson that was only opened leaves the place of the one before.
@@ -429,6 +436,9 @@ void App::make_commands() {
   add(
       "Step", "Lesson before", {"Ctrl+PageUp"}, [&] { open_path(neighbour(-1)->file); },
       [&] { return neighbour(-1) != nullptr; });
+  add(
+      "Step", "Map of the course", {"M"}, [&] { open_path(listed("course-map")->file); },
+      [&] { return listed("course-map") != nullptr; });
   add(
       "Step", "Continue where the window was left", {"Ctrl+Home"}, [&] { go_on(); },
       [&] { return stopped_before_ && listed(stopped_before_->lesson) != nullptr; });

@@ -185,6 +185,8 @@ class App {
   [[nodiscard]] double now() const { return now_; }
   [[nodiscard]] const Room& room() const { return room_; }
 
+  /// The first lesson of a chapter, if there is one.
+  void open_chapter(int chapter);
   /// Lessons of the list that were stepped to their end.
   struct Progress {
     int done = 0;
@@ -192,6 +194,8 @@ class App {
   };
   /// A chapter's; without one, all.
   [[nodiscard]] Progress progress(std::optional<int> chapter = std::nullopt) const;
+  /// Where practice of a chapter was left; it is kept for the next start.
+  [[nodiscard]] Memory::Practised& practised(int chapter) { return memory_.practised[chapter]; }
 
   /// At the step that an exported file shows.
   void open_exported(const std::filesystem::path& file);

@@ -8,7 +8,6 @@
 
 #include "app.hpp"
 #include "imgui_vec.hpp"
-#include "outlines/polygon.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
 #include "session/pointing.hpp"
@@ -195,57 +194,6 @@ void Asking::draw() {
   }
   if (typed_ > 0) ImGui::TextUnformatted(fmt::format("{} … Enter", typed_).c_str());
   if (choose_it) choose_it();
-}
-
-void Asking::draw_verdicts(ImDrawList& list) const {
-  Session& session = app_.session();
-  int first = session.index();
-  while (first > 0 && session.texts()[static_cast<std::size_t>(first) - 1].question) --first;
-  for (int i = first; i <= session.index(); ++i) {
-    const Answer* answer = session.given(i);
-    if (!answer) continue;
-    const auto mark = [&](const std::string& choice, const char* role, bool strikes) {
-      const std::optional<Subject> subject = subject_of(choice);
-      const std::optional<Point> at =
-          subject ? app_.picture().pixel_of(*subject) : std::optional<Point>();
-      if (!at) return;
-      const Color ink = *app_.theme().style(role).fill;
-      const ImU32 color = IM_COL32(ink.r, ink.g, ink.b, 255);
-      const auto zoom = static_cast<float>(session.page().zoom);
-      const ImVec2 center = vec(*at);
-      const float radius = 13.0f * zoom;
-      list.AddCircle(center, radius, color, 0, 3.0f * zoom);
-      if (!strikes) return;
-      const float reach = 0.7f * radius;
-      list.AddLine({center.x - reach, center.y - reach}, {center.x + reach, center.y + reach},
-                   color, 3.0f * zoom);
-    };
-    if (answer->pointed && answer->place) {
-      draw_way(list, *answer->pointed, *answer->place);
-      continue;
-    }
-    mark(answer->right, "caption.right", false);
-    if (!answer->is_right()) mark(answer->chosen, "caption.wrong", true);
-  }
-}
-
-void Asking::draw_way(ImDrawList& list, const Eigen::Vector2d& from,
-                      const Eigen::Vector2d& to) const {
-  Session& session = app_.session();
-  const auto zoom = static_cast<float>(session.page().zoom);
-  const auto color_of = [&](const char* role) {
-    const Color ink = *app_.theme().style(role).fill;
-    return IM_COL32(ink.r, ink.g, ink.b, 255);
-  };
-  for (const LessonPictures::ShownView& shown : session.views()) {
-    if (shown.kind != ViewKind::world) continue;
-    const StageMap map(shown.card, shown.camera);
-    const ImVec2 pointed = vec(app_.picture().to_pixel(map(from)));
-    const ImVec2 place = vec(app_.picture().to_pixel(map(to)));
-    list.AddLine(pointed, place, color_of("caption.wrong"), 2.0f * zoom);
-    list.AddCircleFilled(pointed, 5.0f * zoom, color_of("caption.wrong"));
-    list.AddCircle(place, 11.0f * zoom, color_of("caption.right"), 0, 3.0f * zoom);
-  }
 }
 
 void Asking::draw_on_stage(const AtlasFonts& fonts) {

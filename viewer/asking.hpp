@@ -10,8 +10,6 @@
 #include "picture/frame_text.hpp"
 #include "picture/picture.hpp"
 
-struct ImDrawList;
-
 namespace gjkscope {
 
 class App;
@@ -49,13 +47,8 @@ class Asking {
   void draw();
   /// The same on the stage, where the frame lists its choices.
   void draw_on_stage(const AtlasFonts& fonts);
-  /// A ring around the right answer, and a struck one around the one chosen instead, if the frame
-  /// has an answer.
-  void draw_verdicts(ImDrawList& list) const;
 
  private:
-  /// From where an answer was pointed at to the place that was asked for.
-  void draw_way(ImDrawList& list, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   /// Another frame than when something was chosen last has nothing chosen yet.
   void follow();
   void answer(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});

@@ -5,6 +5,20 @@
 #include <sstream>
 
 namespace gjkscope {
+namespace {
+
+void read_practised(const std::string& line, std::map<int, Memory::Practised>& out) {
+  std::istringstream words(line);
+  int chapter = 0;
+  std::string answers;
+  Memory::Practised practised;
+  if (!(words >> chapter >> practised.seed)) return;
+  words >> answers;
+  for (const char answer : answers) practised.answers.push_back(answer == '1');
+  out[chapter] = std::move(practised);
+}
+
+}  // namespace
 
 std::vector<std::string> memory_lines(const Memory& memory) {
   std::vector<std::string> out;
@@ -13,6 +27,10 @@ std::vector<std::string> memory_lines(const Memory& memory) {
     out.push_back(fmt::format("stopped {} {}", memory.stopped->lesson, memory.stopped->frame));
   for (const auto& [lesson, run, step] : memory.wrong)
     out.push_back(fmt::format("wrong {} {} {}", lesson, run, step));
+  for (const auto& [chapter, practised] : memory.practised) {
+    out.push_back(fmt::format("practised {} {} ", chapter, practised.seed));
+    for (const bool is_right : practised.answers) out.back() += is_right ? '1' : '0';
+  }
   return out;
 }
 
@@ -28,6 +46,7 @@ Memory memory_of(const std::vector<std::string>& lines) {
     if (kind == "finished" && !lesson.empty()) out.finished.insert(lesson);
     if (kind == "stopped" && words >> at && at >= 0) out.stopped = {lesson, at};
     if (kind == "wrong" && words >> run >> at) out.wrong.insert({lesson, run, at});
+    if (kind == "practised") read_practised(line.substr(kind.size()), out.practised);
   }
   return out;
 }

@@ -2,6 +2,8 @@
 // The memory of a reader of lessons, from one start of the window to the next.
 
 #include <compare>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,9 +24,16 @@ struct Memory {
     int step = 0;
     friend auto operator<=>(const Asked&, const Asked&) = default;
   };
+  /// Tasks of a chapter: what they were made from, and which were answered rightly.
+  struct Practised {
+    std::uint64_t seed = 0;
+    std::vector<bool> answers;
+    friend bool operator==(const Practised&, const Practised&) = default;
+  };
   std::set<std::string> finished;  ///< Lessons that were stepped to their end.
   std::optional<Place> stopped;
-  std::set<Asked> wrong;  ///< Questions to repeat: not answered right since.
+  std::set<Asked> wrong;               ///< Questions to repeat: not answered right since.
+  std::map<int, Practised> practised;  ///< By chapter.
   friend bool operator==(const Memory&, const Memory&) = default;
 };
 

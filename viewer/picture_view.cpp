@@ -15,6 +15,7 @@
 #include "picture/words.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
+#include "subjects/course_map/tiles.hpp"
 
 namespace gjkscope {
 namespace {
@@ -146,7 +147,6 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
       list.AddRect(vec(to_pixel(box->rect.min)), vec(to_pixel(box->rect.max)), ink, 3.0f, 0, width);
     }
   }
-  app_.asking().draw_verdicts(list);
   // Labels stand on rings, and the handle on all.
   Picture labels{picture.width, picture.height, picture.clips, picture.clip_corner, {}};
   for (const Mark& mark : picture.marks) {
@@ -267,7 +267,8 @@ void PictureView::take_pointer() {
     session_.point_at({hand_.selected, ours ? hand_.named_at(page, hovered_) : hovered_});
   if (!ours) return;
   if (!motion_) explain_term(page);
-  if (is_vertex(hovered_) || is_shape(hovered_) || hovered_.kind == Kind::study_dot)
+  if (is_vertex(hovered_) || is_shape(hovered_) || hovered_.kind == Kind::study_dot ||
+      (!session_.question() && chapter_at(page)))
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const std::optional<std::size_t> view = hand_.view_at(page);
   if (view && io.MouseWheel != 0.0f) zoom(*view, page, std::pow(1.15, -io.MouseWheel));
@@ -296,8 +297,20 @@ std::optional<int> PictureView::frame_at(const Point& page) {
   return nearest;
 }
 
+std::optional<int> PictureView::chapter_at(const Point& page) {
+  const std::vector<Rect> tiles = tiles_of_map(session_.picture());
+  const auto tile = std::find_if(tiles.begin(), tiles.end(), [&](const Rect& each) {
+    return overlap(each, {page, page});
+  });
+  if (tile == tiles.end()) return std::nullopt;
+  return static_cast<int>(tile - tiles.begin()) + 1;
+}
+
 void PictureView::press(const Subject& subject, const Point& page) {
-  if (!session_.question() && app_.offer_click(subject)) return;
+  if (!session_.question()) {
+    if (app_.offer_click(subject)) return;
+    if (const std::optional<int> chapter = chapter_at(page)) return app_.open_chapter(*chapter);
+  }
   if (const std::optional<int> frame = frame_at(page)) {
     app_.stop_playing();
     session_.go_to(*frame);

@@ -75,6 +75,8 @@ class PictureView {
   [[nodiscard]] Point to_page(const Point& pixel) const { return (pixel - area_.min) / zoom_; }
   /// The frame of the timeline at this height that is nearest; nothing elsewhere.
   [[nodiscard]] std::optional<int> frame_at(const Point& page);
+  /// The chapter whose tile is there, where the map of the course is shown.
+  [[nodiscard]] std::optional<int> chapter_at(const Point& page);
   /// The session's picture, or what leads to it from the step that was shown before.
   [[nodiscard]] Picture picture_now();
   void draw_highlights(const Picture& picture, const AtlasFonts& fonts);

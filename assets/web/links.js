@@ -28,6 +28,7 @@ async function unpacked(text) {
 
 /** The part after # in the address of this step, with all changes. */
 async function hashOfStep() {
+  if (state.practice) return `#chapter=${state.practice.chapter}&seed=${state.practice.seed}`;
   const turned = state.eye && state.eye.some((degrees, i) => degrees !== firstEye[i]);
   const hash = `#step=${state.index + 1}${turned ? `&eye=${state.eye.map((degrees) => Math.round(degrees * 10) / 10).join()}` : ""}`;
   if (!state.changed) return hash;
@@ -82,6 +83,10 @@ async function follow(hash) {
   try {
     const parts = partsOf(text);
     setLook(parts);
+    if (data.kind === "practice") {
+      if (parts.has("chapter")) await followPractice(parts);
+      return;
+    }
     if (parts.has("ask") && data.asks && !state.predicting) await act({ do: "predict", on: true });
     if (parts.has("lesson")) {
       const lesson = await unpacked(parts.get("lesson"));

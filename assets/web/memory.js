@@ -7,7 +7,8 @@ const MEMORY = "gjkscope-memory";
 
 /**
  * `last`: the lesson that was open last. `lessons`, by their names: `step` and `count`, where the reader stopped; `asks`,
- * whether questions were on; `done`, once the end was seen; `wrong`, the steps of questions to repeat.
+ * whether questions were on; `done`, once the end was seen; `wrong`, the steps of questions to repeat. `practice`, by
+ * chapters: `seed` and `answers`, from which its tasks follow, `right` and `repeating`; `lastPractice`: the last chapter.
  */
 function remembered() {
   let kept = null;
@@ -17,10 +18,26 @@ function remembered() {
     // Nothing is kept, or something else is.
   }
   const isMap = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
-  if (!isMap(kept) || !isMap(kept.lessons)) return { lessons: {} };
+  if (!isMap(kept) || !isMap(kept.lessons)) return { lessons: {}, practice: {} };
   const isStep = (value) => Number.isInteger(value) && value > 0;
   const lessons = Object.entries(kept.lessons).filter(([, lesson]) => isMap(lesson) && isStep(lesson.step) && isStep(lesson.count) && Array.isArray(lesson.wrong) && lesson.wrong.every(isStep));
-  return { last: kept.last, lessons: Object.fromEntries(lessons) };
+  const practice = Object.entries(isMap(kept.practice) ? kept.practice : {}).filter(([, known]) => isMap(known) && Number.isInteger(known.seed) && known.seed >= 0 && Array.isArray(known.answers) && known.answers.every((answer) => typeof answer === "boolean"));
+  return { last: kept.last, lastPractice: kept.lastPractice, lessons: Object.fromEntries(lessons), practice: Object.fromEntries(practice) };
+}
+
+function keepMemory(kept) {
+  try {
+    localStorage.setItem(MEMORY, JSON.stringify(kept));
+  } catch {
+    // A page without storage forgets.
+  }
+}
+
+function rememberPractice({ chapter, ...known }) {
+  const kept = remembered();
+  kept.lastPractice = chapter;
+  kept.practice[chapter] = known;
+  keepMemory(kept);
 }
 
 /** Notes what happens at a step of a lesson; `answer`: the step of a question, and whether it was right. */
@@ -31,11 +48,7 @@ function remember(name, { step, count, asks }, answer) {
   if (answer && !answer.right) wrong.push(answer.step);
   kept.last = name;
   kept.lessons[name] = { step, count, asks, done: lesson.done || step === count, wrong };
-  try {
-    localStorage.setItem(MEMORY, JSON.stringify(kept));
-  } catch {
-    // A page without storage forgets.
-  }
+  keepMemory(kept);
 }
 
 function forget() {
@@ -52,7 +65,7 @@ const stepAddress = (name, step, asks) => `${encodeURIComponent(name)}.html#step
 function showMemory() {
   const place = document.getElementById("memory");
   if (!place) return;
-  const { last, lessons } = remembered();
+  const { last, lessons, practice } = remembered();
   const made = (name, properties, ...children) => {
     const element = Object.assign(document.createElement(name), properties);
     element.append(...children);
@@ -64,7 +77,8 @@ function showMemory() {
   const known = Object.entries(lessons).filter(([name]) => cards.has(name));
   for (const [name, { step, count, done }] of known)
     cards.get(name).querySelector("strong").after(made("em", { className: "so-far", textContent: done ? "✓ done" : `step ${step} of ${count}` }));
-  place.hidden = !known.length;
+  const practised = Object.entries(practice).filter(([, { answers }]) => answers.length);
+  place.hidden = !known.length && !practised.length;
   if (place.hidden) return;
   const lines = [];
   const link = (name, step, asks, text) => made("a", { href: stepAddress(name, step, asks), textContent: text });
@@ -80,6 +94,8 @@ function showMemory() {
     const links = wrong.flatMap((step, i) => [i ? ", " : "", link(name, step, true, `step ${step}`)]);
     lines.push(made("p", {}, `Repeat a question of “${title(name)}”: `, ...links));
   }
+  for (const [chapter, { answers, right, repeating }] of practised)
+    lines.push(made("p", {}, made("a", { href: `practice.html#chapter=${chapter}`, textContent: `Continue practice of chapter ${chapter}` }), `: ${right} of ${answers.length} tasks right, ${repeating} to repeat`));
   const done = known.filter(([, lesson]) => lesson.done).length;
   lines.push(made("p", { className: "note" }, `Done: ${done} of ${cards.size} lessons. Only this browser knows. `,
     made("button", { type: "button", textContent: "Forget all of it", onclick: () => forget() || showMemory() })));

@@ -117,6 +117,7 @@ function show(next, moves) {
   tellOfHulls();
   if (!next.numbers) return;  // while dragging
   showTools(next, last);
+  if (state.practice) showPractice(last);
   keepFocus(focused);
   showNumbers();
   showVertices();
@@ -149,7 +150,7 @@ function showOnPaper() {
 function keepFocus(focused) {
   if (!focused || focused === document.body || (!focused.disabled && focused.isConnected && !focused.closest("[hidden]"))) return;
   const next = $("choices").querySelector("button");
-  if (next && state?.question) next.focus({ preventScroll: true });
+  if (next && !$("question").hidden) next.focus({ preventScroll: true });
   else ($("step").disabled ? $("back") : $("step")).focus({ preventScroll: true });
 }
 
@@ -239,6 +240,7 @@ const KEYS = {
   y: () => act({ do: "redo" }),
   g: toggleSnaps,
   p: () => data.asks && predict(),
+  n: () => state.practice && nextTask(),
 };
 
 /** Degrees, azimuth and elevation, by which keys walk around shapes in space. */

@@ -133,11 +133,19 @@ function known(list) {
   return list.slice(from).map(({ id, change }) => ({ id, change, lesson: kept.lessons.get(id) }));
 }
 
-/** The lesson of the page, in a program that has just started. */
+/** The lesson of the page, in a program that has just started; of practice the task that was shown. */
 async function openLesson() {
+  if (data.kind === "practice") return openPractice();
   const { lesson, name, files } = data;
   const depth = data.kind === "playground" ? true : undefined;
   const opened = await ask({ do: "open", lesson, name, files, depth });
+  if (opened?.problem !== undefined) throw new Error(opened.problem);
+  return opened;
+}
+
+async function openPractice() {
+  const { chapter, seed, answers } = state?.practice ?? wantedPractice();
+  const opened = await ask({ do: "practise", chapter, seed, answers });
   if (opened?.problem !== undefined) throw new Error(opened.problem);
   return opened;
 }
@@ -157,9 +165,9 @@ async function giveUp(why) {
     const started = startProgram();
     const opened = openLesson();
     if (layout) ask(layout);
-    const lesson = history && kept.lessons.get(history.now);
+    const lesson = history && !state.practice && kept.lessons.get(history.now);
     const shown = act(lesson ? { do: "restore", name: data.name, to, predicting, past: known(history.past),
-      now: { id: history.now, change: "", lesson }, future: known(history.future) } : { do: "go", to: 0 });
+      now: { id: history.now, change: "", lesson }, future: known(history.future) } : { do: "go", to: state.practice ? to : 0 });
     await Promise.all([started, opened]);
     if (await shown) tell(why);
   } catch (error) {

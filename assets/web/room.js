@@ -52,6 +52,7 @@ function heightOf(width, left, zoom) {
   }
   // Controls and timeline, and the lines of the longest words, so that all of them are in sight.
   const [controls, lineHeight, characterWidth, widestLine] = [194, 27, 8.9, 1080];
+  const choices = document.body.classList.contains("practice") ? 56 : 0;  // which are all that one does there
   const longest = Number(document.getElementById("stage").dataset.longest);
   const words = lineHeight * Math.ceil((characterWidth * longest) / Math.min(width, widestLine));
   if (document.documentElement.classList.contains("embed")) {
@@ -61,7 +62,7 @@ function heightOf(width, left, zoom) {
     return Math.max(0.5 * left / zoom, left / zoom - rest - words);
   }
   const most = two ? Math.max(0.5 * width, Math.min(0.8 * width, 400)) : 0.62 * width;
-  return Math.min(most, Math.max(330, left / zoom - controls - words));
+  return Math.min(most, Math.max(330, left / zoom - controls - words - choices));
 }
 
 // A page that was cut off on its way has no script that would start it.

@@ -12,9 +12,11 @@ function showTools(next, last) {
   $("predict").setAttribute("aria-pressed", state.predicting);
   showSides();
   $("question").hidden = !next.question;
-  if (next.question && (last?.question?.choices.join() !== next.question.choices.join() || last.index !== next.index)) showChoices(next.question);
+  const isAsked = last?.index === next.index && last.history?.now === next.history.now && last.question?.choices.join() === next.question?.choices.join();
+  if (next.question && !(isAsked && $("choices").children.length)) showChoices(next.question);
   const graded = next.answers && (!last?.answers || last.answers.asked !== next.answers.asked);
-  $("verdict").hidden = !graded;
+  // Another layout of the same step keeps it.
+  if (last?.index !== next.index || graded) $("verdict").hidden = !graded;
   if (graded) {
     const { chosen, answer, right, asked, away } = next.answers;
     const isRight = chosen === answer;

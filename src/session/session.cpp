@@ -15,6 +15,7 @@
 #include "picture/words.hpp"
 #include "run/questions.hpp"
 #include "session/hit.hpp"
+#include "session/verdict_marks.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/faces_of_difference/growth.hpp"
 #include "subjects/growth/growth.hpp"
@@ -647,11 +648,17 @@ const Answer* Session::given(int index) const {
   return found == answers_.end() ? nullptr : &*found;
 }
 
+int Session::first_told() const {
+  int first = index_;
+  if (text().question) return first;
+  while (first > 0 && texts()[static_cast<std::size_t>(first) - 1].question) --first;
+  return first;
+}
+
 FrameText Session::told() const {
   FrameText text = this->text();
   const bool asks = text.question.has_value();
-  int first = index_;
-  while (!asks && first > 0 && texts()[static_cast<std::size_t>(first) - 1].question) --first;
+  const int first = first_told();
   std::string verdicts;
   int count = 0;
   bool all_right = true;
@@ -726,7 +733,15 @@ void Session::set_page(const Page& page) {
 }
 
 const Picture& Session::picture() {
-  if (!picture_) picture_ = shown_->pictures.picture(index_, told(), pointed_);
+  if (picture_) return *picture_;
+  picture_ = shown_->pictures.picture(index_, told(), pointed_);
+  for (int i = first_told(); i <= index_; ++i) {
+    const Answer* answer = given(i);
+    if (answer != nullptr) {
+      add_verdict(*picture_, run(), views(), *texts()[static_cast<std::size_t>(i)].question,
+                  *answer);
+    }
+  }
   return *picture_;
 }
 

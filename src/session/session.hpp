@@ -252,6 +252,8 @@ class Session {
     int part = -1;
   };
 
+  /// The first of the frames whose questions this one answers; without one, this frame.
+  [[nodiscard]] int first_told() const;
   /// False when no question is open.
   bool take(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.

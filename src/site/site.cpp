@@ -19,6 +19,7 @@
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "paint/svg.hpp"
+#include "practice/practice.hpp"
 #include "site/still.hpp"
 #include "subjects/course_map/tiles.hpp"
 #include "subjects/subjects.hpp"
@@ -136,6 +137,13 @@ std::pair<std::string, std::string> transcript(const Lesson& lesson) {
   return {items, std::to_string(longest)};
 }
 
+bool has_practice(int chapter) { return !practice::kinds_of(chapter).empty(); }
+
+std::string practice_link(int chapter) {
+  return link(fmt::format("practice.html#chapter={}", chapter),
+              fmt::format("Practise chapter {}", chapter));
+}
+
 fs::path file_of(const SiteOptions& options, const std::string& name) {
   return options.out_dir / (options.file_name.empty() ? name + ".html" : options.file_name);
 }
@@ -160,8 +168,9 @@ class SiteWriter {
     common_.style += assets({"style.css"});
     common_.head = assets({"theme.js", "room.js", "memory.js"});
     common_.worker = assets({"bytes.js", "player.js", "worker.js"});
-    common_.script = assets({"bytes.js", "program.js", "motion.js", "terms.js", "page.js",
-                             "tools.js", "hand.js", "links.js", "kit.js", "host.js", "start.js"});
+    common_.script =
+        assets({"bytes.js", "program.js", "motion.js", "terms.js", "page.js", "tools.js", "hand.js",
+                "links.js", "kit.js", "practice.js", "host.js", "start.js"});
     const std::string room = "\n" + assets({"place.js"});
     shared_["generator"] = signature();
     shared_["room"] = fmt::format("<script>{}</script>", room);
@@ -180,7 +189,7 @@ class SiteWriter {
     for (const Lesson& lesson : lessons) refuse_foreign(file_of(options_, lesson.id));
     if (options_.package) refuse_foreign_package();
     if (!options_.index) return;
-    for (const char* name : {"playground", "index", "about"})
+    for (const char* name : {"playground", "practice", "index", "about"})
       refuse_foreign(file_of(options_, name));
     if (!shares()) return;
     refuse_foreign(options_.out_dir / kServiceWorker);
@@ -212,6 +221,17 @@ class SiteWriter {
     write_page(*loaded.lesson, std::move(parts), nullptr, nullptr);
   }
 
+  /// A task is made in the page; the one that the page holds is shown until then.
+  void write_practice() {
+    const int chapter = practice::chapters_with_practice().front();
+    const practice::Task task = practice::Practice(chapter, 0).task();
+    std::map<std::string, std::string> parts = shared_;
+    parts["kind"] = "practice";
+    parts["kit"] = read_whole(assets_ / "web" / "practice.html");
+    parts["untold"] = " hidden";
+    write_page(task.lesson, std::move(parts), nullptr, nullptr);
+  }
+
   void write_index(const std::vector<Lesson>& lessons) {
     const std::map<int, std::string> chapters =
         parse_chapters(read_whole(assets_ / "chapters.toml"), "assets/chapters.toml");
@@ -225,8 +245,9 @@ class SiteWriter {
         chapter = lesson.chapter;
         const auto title = chapters.find(chapter);
         list += fmt::format(
-            "<section class=\"chapter\" id=\"chapter-{}\"><h2>{}{}</h2>\n<ul class=\"cards\">\n",
-            chapter, chapter, title == chapters.end() ? "" : ". " + escape_html(title->second));
+            "<section class=\"chapter\" id=\"chapter-{}\"><h2>{}{}</h2>\n{}<ul class=\"cards\">\n",
+            chapter, chapter, title == chapters.end() ? "" : ". " + escape_html(title->second),
+            has_practice(chapter) ? fmt::format("<p>{}</p>\n", practice_link(chapter)) : "");
       }
       list += card(lesson);
     }
@@ -475,6 +496,7 @@ class SiteWriter {
     };
     page("index.html", "GJK, step by step", " class=\"brand\"");
     page("playground.html", "Playground", "");
+    page("practice.html", "Practice", "");
     page("about.html", "About", "");
     if (next) page(next->id + ".html", "Next: " + next->title, " class=\"next\"");
     return out + "</nav>\n";
@@ -488,7 +510,7 @@ class SiteWriter {
             {"id", lesson.id},
             {"name", lesson.id + ".toml"},
             {"views", lesson.views.size()},
-            {"asks", asks(lesson)},
+            {"asks", kind != "practice" && asks(lesson)},
             {"lesson", lesson_toml(lesson)},
             {"files", std::move(files)}};
   }
@@ -521,8 +543,13 @@ class SiteWriter {
     if (const auto& file = lesson.table.file)
       open["files"][fs::path(file->path).filename().string()] = *file->text;
     const bool is_playground = data["kind"] == "playground";
+    const bool is_practice = data["kind"] == "practice";
     if (is_playground) open["depth"] = true;
-    const Json opened = ask(open);
+    const Json opened = ask(is_practice ? Json{{"do", "practise"},
+                                               {"chapter", lesson.chapter},
+                                               {"seed", 0},
+                                               {"answers", Json::array()}}
+                                        : open);
     if (is_playground) {
       const Json last = ask({{"do", "go"}, {"to", opened["count"].get<int>() - 1}});
       parts["answer"] = answer_table(last["outcome"]);
@@ -560,9 +587,13 @@ class SiteWriter {
     if (next) links += link(next->id + ".html", "Next lesson: " + next->title);
     if (next && in_space) links += "<br>\n";
     if (in_space) links += link(in_space->id + ".html", "In space: " + in_space->title);
+    if (!is_practice && options_.index && has_practice(lesson.chapter) &&
+        (!next || next->chapter != lesson.chapter))
+      links = practice_link(lesson.chapter) + "<br>\n" + links;
     if (!links.empty()) parts["next"] = fmt::format("<p id=\"next\" hidden>{}</p>\n", links);
     parts["asks"] = data["asks"].get<bool>() ? "" : " hidden";
     std::tie(parts["transcript"], parts["longest"]) = transcript(lesson);
+    if (is_practice) parts["transcript"].clear();  // it would answer
     parts["data"] = script_text(data);
     write(lesson.id, filled(page_, parts));
   }
@@ -696,6 +727,7 @@ std::vector<fs::path> export_site(const std::vector<Lesson>& lessons, const Site
   }
   if (options.index || options.package) writer.write_playground();
   if (options.index) {
+    writer.write_practice();
     writer.write_index(lessons);
     writer.write_about();
   }

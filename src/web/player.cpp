@@ -57,6 +57,13 @@ struct Player::Asked {
       throw std::runtime_error(fmt::format("'{}' is neither true nor false", key));
     return at(key).get<bool>();
   }
+  [[nodiscard]] std::vector<bool> flags(const char* key) const {
+    const Json& list = at(key);
+    if (!list.is_array() ||
+        !std::all_of(list.begin(), list.end(), [](const Json& each) { return each.is_boolean(); }))
+      throw std::runtime_error(fmt::format("'{}' is no list of true and false", key));
+    return list.get<std::vector<bool>>();
+  }
   [[nodiscard]] double real(const char* key) const {
     constexpr double kMost = 1e9;
     const Json& value = at(key);
@@ -106,6 +113,7 @@ std::string Player::answer(std::string_view request) {
   static const std::map<std::string_view, Reply> before_all = {
       {"open", [](Player& p, const Asked& a) { p.open(a); }},
       {"layout", [](Player& p, const Asked& a) { p.set_layout(a); }},
+      {"practise", [](Player& p, const Asked& a) { p.practise(a); }},
   };
   static const std::map<std::string_view, Reply> changes = {
       {"replace", [](Player& p, const Asked& a) { p.replace(a); }},
@@ -130,6 +138,7 @@ std::string Player::answer(std::string_view request) {
       {"restore", [](Player& p, const Asked& a) { p.restore(a); }},
       {"predict", [](Player& p, const Asked& a) { p.session_.set_predicting(a.flag("on")); }},
       {"answer", [](Player& p, const Asked& a) { p.take_answer(a); }},
+      {"task", [](Player& p, const Asked&) { p.next_task(); }},
   };
   using Tell = std::string (*)(Player&, const Asked&);
   static const std::map<std::string_view, Tell> tells = {
@@ -206,6 +215,7 @@ void Player::step(int by) {
 }
 
 void Player::reset() {
+  if (practising_) return show_task();
   session_.edit("reset", *opened_);
   session_.fit();
 }
@@ -238,8 +248,41 @@ void Player::open(const Asked& asked) {
   if (!session_.open(lesson, {})) throw std::runtime_error(session_.problem());
   files_ = std::move(files);
   opened_ = std::move(lesson);
+  practising_.reset();
   hand_.selected = {};
   shows_depth_ = asked.json.contains("depth");
+}
+
+/// Tasks of a chapter; `answers`: of those before, whether they were answered rightly.
+void Player::practise(const Asked& asked) {
+  const std::vector<int>& chapters = practice::chapters_with_practice();
+  const int chapter = asked.whole("chapter");
+  if (std::find(chapters.begin(), chapters.end(), chapter) == chapters.end()) {
+    throw std::runtime_error(fmt::format("chapter {} has no practice; expected one of {}", chapter,
+                                         fmt::join(chapters, ", ")));
+  }
+  const double seed = asked.real("seed");
+  if (seed < 0.0) throw std::runtime_error("'seed' is negative");
+  practising_.emplace(
+      practice::Practice(chapter, static_cast<std::uint64_t>(seed), asked.flags("answers")));
+  show_task();
+}
+
+void Player::next_task() {
+  if (!practising_ || !practising_->outcome(session_))
+    throw std::runtime_error("no task was answered");
+  practising_->next(session_);
+  show_task();
+}
+
+/// The task has a history of its own.
+void Player::show_task() {
+  opened_ = practising_->practice().task().lesson;
+  if (!session_.restore({}, {{session_.lesson_id() + 1, ""}, *opened_}, {}))
+    throw std::runtime_error(session_.problem());
+  session_.fit();
+  hand_.selected = {};
+  practising_->begin(session_);
 }
 
 /// Another lesson as a change of this one: what a link holds.

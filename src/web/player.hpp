@@ -12,6 +12,7 @@
 #include "picture/theme.hpp"
 #include "session/hand.hpp"
 #include "session/pointing.hpp"
+#include "session/practising.hpp"
 
 namespace gjkscope {
 
@@ -59,6 +60,9 @@ class Player {
   [[nodiscard]] std::optional<PointedChoice> pointed(const Asked& asked);
   [[nodiscard]] std::string choice_at(const Asked& asked);
   void take_answer(const Asked& asked);
+  void practise(const Asked& asked);
+  void next_task();
+  void show_task();
   [[nodiscard]] std::string lesson_file() const;
   [[nodiscard]] std::string all_vertices() const;
   [[nodiscard]] std::string code_page() const;
@@ -90,10 +94,11 @@ class Player {
   Session session_;
   Hand hand_;
   std::optional<Lesson> opened_;  ///< The lesson that "reset" goes back to.
-  Files files_;                   ///< Files that the lesson names.
-  Picture stage_;                 ///< As it is shown,
-  Picture stage_before_;          ///< and as it was before that.
-  bool shows_depth_ = false;      ///< In the last frame of shapes that overlap.
+  std::optional<Practising> practising_;
+  Files files_;               ///< Files that the lesson names.
+  Picture stage_;             ///< As it is shown,
+  Picture stage_before_;      ///< and as it was before that.
+  bool shows_depth_ = false;  ///< In the last frame of shapes that overlap.
   double panel_room_ = 368.0;
   double panel_width_ = 368.0;
   double timeline_width_ = 960.0;

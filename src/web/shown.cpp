@@ -355,6 +355,16 @@ std::string Player::shown(const std::string& understood) {
     if (last.pointed && last.place)
       out["answers"]["away"] = Numbers(lesson)((*last.pointed - *last.place).norm());
   }
+  if (practising_) {
+    const practice::Practice& practice = practising_->practice();
+    out["practice"] = {{"chapter", practice.chapter()},
+                       {"chapters", practice::chapters_with_practice()},
+                       {"seed", practice.seed()},
+                       {"answers", practice.answers()},
+                       {"right", practice.right()},
+                       {"repeating", practice.repeating()},
+                       {"answered", practising_->outcome(session_).has_value()}};
+  }
   if (session_.is_dragging()) return dumped(out);
   out["history"] = {{"past", entries(session_.past())},
                     {"now", session_.lesson_id()},

@@ -1,6 +1,8 @@
 // Practice: tasks are solved anew from what is printed, without the core; sheets; the order of
 // kinds.
 
+#include "practice/practice.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -512,6 +514,20 @@ std::string order(int kinds, int tasks, const std::set<int>& wrong) {
     schedule.answer(!wrong.contains(i));
   }
   return out;
+}
+
+TEST(Practice, GoesOnWhereItWasLeft) {
+  for (const int chapter : practice::chapters_with_practice()) {
+    const std::vector<bool> answers = {true, false, true, false, false};
+    practice::Practice practice(chapter, 7);
+    for (const bool is_right : answers) practice.answer(is_right);
+    const practice::Practice again(chapter, 7, answers);
+    EXPECT_TRUE(practice.task().lesson == again.task().lesson) << chapter;
+    EXPECT_EQ(practice.task().answer, again.task().answer);
+    EXPECT_EQ(again.answers(), answers);
+    EXPECT_EQ(2, again.right());
+    EXPECT_EQ(practice.repeating(), again.repeating());
+  }
 }
 
 TEST(Schedule, GoesThroughAllKindsAgainAndAgain) { EXPECT_EQ(order(4, 9, {}), "abcdabcda"); }

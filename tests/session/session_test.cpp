@@ -486,6 +486,48 @@ TEST(Session, WhoPointsAtAPlaceIsToldHowFarOffItWas) {
   EXPECT_TRUE(session.told().caption.starts_with("Not so: C, not A. ")) << session.told().caption;
 }
 
+TEST(Session, HowFarAnAnswerIsOffIsDrawn) {
+  Session session(fonts());
+  ASSERT_TRUE(session.open(shipped_lesson("guess"), {}));
+  session.set_asking(true);
+  const auto length_of_way = [&]() -> std::optional<double> {
+    const Picture& picture = session.picture();
+    for (const Mark& mark : picture.marks) {
+      if (mark.role != "verdict.way") continue;
+      const auto& ends = std::get<Polyline>(mark.shape).points;
+      const auto views = session.views();
+      return (ends.back() - ends.front()).norm() /
+             StageMap(views.front().card, views.front().camera).scale();
+    }
+    return std::nullopt;
+  };
+  EXPECT_FALSE(length_of_way());
+  session.go_to(1);
+  const FrameQuestion asked = *session.question();
+  session.grade(asked.answer, *asked.place + Eigen::Vector2d(0.3, 0.4));
+  ASSERT_TRUE(length_of_way());
+  EXPECT_NEAR(0.5, *length_of_way(), 1e-9);
+  session.go_to(0);
+  EXPECT_FALSE(length_of_way());
+  session.forget_answers();
+  session.go_to(1);
+  session.grade("A");
+  EXPECT_FALSE(length_of_way());
+  const auto ring = [&](const std::string& role) {
+    for (const Mark& mark : session.picture().marks) {
+      const Disk* disk = mark.role == role ? std::get_if<Disk>(&mark.shape) : nullptr;
+      if (disk) return disk->center;
+    }
+    return Point(Point::Zero());
+  };
+  const StageMap map(session.views().front().card, session.views().front().camera);
+  EXPECT_LT((ring("verdict.right") - map(*asked.place)).norm(), 1e-9);
+  const auto at =
+      std::find(asked.choices.begin(), asked.choices.end(), "A") - asked.choices.begin();
+  EXPECT_LT((ring("verdict.wrong") - map(asked.spots[static_cast<std::size_t>(at)]->from)).norm(),
+            1e-9);
+}
+
 TEST(Session, AVerdictOnTheStopReadsAsASentence) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));

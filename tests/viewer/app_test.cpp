@@ -28,6 +28,7 @@
 #include "picture/theme.hpp"
 #include "session/hit.hpp"
 #include "study/configuration.hpp"
+#include "subjects/course_map/tiles.hpp"
 #include "subjects/second_run/table.hpp"
 #include "subjects/study/act.hpp"
 #include "subjects/study/table.hpp"
@@ -564,6 +565,36 @@ TEST(App, PracticeGoesOnWithAnotherTaskOnceOneIsAnswered) {
   }
 }
 
+TEST(App, TilesOfTheMapOpenChapters) {
+  HeadlessApp window("polygons-gjk");
+  window.key("M");
+  window.frame();
+  ASSERT_EQ("course-map", window.session().lesson().id);
+  window.session().go_to(window.session().frame_count() - 1);
+  window.frame();
+  const std::vector<Rect> tiles = tiles_of_map(window.session().picture());
+  ASSERT_GT(tiles.size(), 6u);
+  window.click(window.app().picture().to_pixel(tiles[2].center()));
+  window.settle();
+  EXPECT_EQ(3, window.session().lesson().chapter);
+}
+
+TEST(App, PracticeGoesOnWhereItWasLeft) {
+  const TemporaryFolder state;
+  Lesson left;
+  {
+    HeadlessApp window("polygons-gjk", state.path());
+    ASSERT_TRUE(window.app().run_command("Practise chapter 2"));
+    window.key("1");
+    window.key("W");
+    window.frame();
+    left = window.session().lesson();
+  }
+  HeadlessApp again("polygons-gjk", state.path());
+  ASSERT_TRUE(again.app().run_command("Practise chapter 2"));
+  EXPECT_TRUE(left == again.session().lesson());
+}
+
 TEST(App, APairIsPredictedByItsTwoVertices) {
   HeadlessApp window;
   Session& session = window.session();
@@ -756,9 +787,10 @@ TEST(App, AQuestionThatWasAnsweredWrongIsAskedAgain) {
 }
 
 TEST(App, DamagedMemoryIsLeftOut) {
-  const Memory memory = memory_of({"finished", "stopped polygons-gjk", "stopped simplex -2", "",
-                                   "wrong simplex 1", "nothing", "finished simplex"});
-  EXPECT_EQ((Memory{{"simplex"}, {}, {}}), memory);
+  const Memory memory =
+      memory_of({"finished", "stopped polygons-gjk", "stopped simplex -2", "", "wrong simplex 1",
+                 "nothing", "finished simplex", "practised", "practised 3 7 101", "practised 4"});
+  EXPECT_EQ((Memory{{"simplex"}, {}, {}, {{3, {7, {true, false, true}}}}}), memory);
   EXPECT_EQ(memory, memory_of(memory_lines(memory)));
 }
 

@@ -30,7 +30,7 @@ const SIZES = {
 };
 const THEMES = ["light", "dark", "high-contrast", "print"];
 const pages = readdirSync(site).filter((name) => name.endsWith(".html"));
-const isLesson = (name) => !["index.html", "about.html", "playground.html"].includes(name);
+const isLesson = (name) => !["index.html", "about.html", "playground.html", "practice.html"].includes(name);
 const everything = process.argv.includes("--all");
 const opened = everything ? pages : pages.filter((name, i) => !isLesson(name) || i % 16 === 0);
 /** Every second one, the others for the next lesson. */
@@ -159,7 +159,7 @@ async function twoFingers(page, [x, y], [dx, dy]) {
 }
 
 const state = async (page) => (await rest(page), page.evaluate(() => ({ index: state.index, count: state.count, changed: state.changed,
-  caption: state.caption, outcome: state.outcome, shapes: state.shapes, numerics: state.numerics })));
+  caption: state.caption, outcome: state.outcome, shapes: state.shapes, numerics: state.numerics, question: state.question, practice: state.practice })));
 /** Steps on until there is a question. */
 async function toQuestion(page) {
   for (let i = 0; i < 30 && !(await rest(page), await page.locator("#question").isVisible()); ++i) await page.locator("body").press("ArrowRight");
@@ -1660,6 +1660,94 @@ claim("all themes are shown, and remembered", async () => {
   await close(page);
 });
 
+// Practice ----------------------------------------------------------------------------------------
+
+/** Answers all questions of the task with the choice of a number, from 1. */
+async function answerTask(page, number = 1) {
+  for (;;) {
+    const { question, practice } = await state(page);
+    if (practice.answered) return;
+    if (!question) await page.click("#step");
+    else if (question.pair) for (const list of await page.locator("#choices fieldset").all()) await list.locator("button").nth(number - 1).click();
+    else await page.locator("#choices button").nth(number - 1).click();
+    await rest(page);
+  }
+}
+
+action("practice gives task after task, and goes on where it was left", async (visit, size) => {
+  const page = await visit(url("practice", "#chapter=3&seed=7"), size);
+  const seen = new Set();
+  for (let i = 0; i < 4; ++i) {
+    const { practice, question, shapes } = await state(page);
+    assert.deepEqual([practice.chapter, practice.seed, practice.answers.length], [3, 7, i]);
+    assert.ok(question, "a task begins with its question");
+    assert.equal(await page.locator("#next-task").isVisible(), false);
+    await page.locator("body").press("n");
+    assert.equal((await state(page)).practice.answers.length, i, "an open question is not passed over");
+    seen.add(JSON.stringify(shapes));
+    await answerTask(page);
+    assert.ok(await page.locator("#verdict").isVisible(), "the verdict stays, though the figure is laid out anew");
+    if (i % 2) await page.click("#next-task");
+    else await page.locator("body").press("n");
+    await rest(page);
+  }
+  assert.equal(seen.size, 4, "each task has other shapes");
+  const { practice, shapes } = await state(page);
+  assert.match(await text(page, "so-far"), new RegExp(`^${practice.right} of 4 tasks right, ${practice.repeating} to repeat\\.`));
+  await page.reload();
+  await ready(page);
+  assert.deepEqual((await state(page)).shapes, shapes);
+  await page.evaluate(() => giveUp("Given up."));
+  await rest(page);
+  assert.deepEqual((await state(page)).shapes, shapes, "a program that was given up brings the task again");
+  await page.locator("#chapters button", { hasText: "9" }).click();
+  await rest(page);
+  assert.equal((await state(page)).practice.chapter, 9);
+  assert.match(page.url(), /#chapter=9&seed=\d+$/);
+  await page.goto(url("index"));
+  await page.locator("#memory a", { hasText: "Continue practice of chapter 3" }).click();
+  await ready(page);
+  assert.deepEqual((await state(page)).shapes, shapes);
+  await page.goto(url("index"));
+  await page.locator("#memory button", { hasText: "Forget" }).click();
+  assert.equal(await page.locator("#memory").isVisible(), false);
+  await close(page);
+});
+
+claim("a task whose shapes were changed is brought back, and links to practice say what is wrong with them", async () => {
+  const page = await open(url("practice", "#chapter=2&seed=1"));
+  const before = (await state(page)).shapes;
+  await page.evaluate(() => act({ do: "nudge", shape: "y", index: 0, right: 40, up: 0 }));
+  assert.notDeepEqual((await state(page)).shapes, before);
+  assert.match(await text(page, "so-far"), /Reset brings the task back/);
+  await page.click("#reset");
+  await rest(page);
+  assert.deepEqual((await state(page)).shapes, before);
+  assert.ok((await state(page)).question);
+  for (const [hash, problem] of [["chapter=7", /^chapter 7 has no practice; expected one of 1, 2, 3, 4, 5, 9$/], ["chapter=x", /^link: 'chapter' is x; expected a number/], ["chapter=2&seed=-1", /^link: 'seed' is -1; expected a number/]]) {
+    await page.evaluate((to) => { location.hash = to; }, hash);
+    await page.locator("#problem").filter({ hasText: "expected" }).waitFor();
+    assert.match(await text(page, "problem"), problem);
+    assert.deepEqual((await state(page)).shapes, before);
+    await page.evaluate(() => say(""));
+  }
+  await close(page);
+});
+
+claim("practice works where nothing can be kept, and its page says nothing of the answer", async () => {
+  const init = () => Object.defineProperty(window, "localStorage", { get() { throw new Error("no storage"); } });
+  const page = await open(url("practice", "#chapter=1&seed=3"), "laptop", { init });
+  const { question } = await state(page);
+  assert.ok(question);
+  assert.equal(await page.locator(".transcript").isVisible(), false);
+  assert.equal(await page.locator(".transcript li").count(), 0);
+  await answerTask(page, 2);
+  await page.click("#next-task");
+  await rest(page);
+  assert.equal((await state(page)).practice.answers.length, 1);
+  await close(page);
+});
+
 /** Milliseconds, sorted, from each of 200 moves of a vertex until the page has the picture of it. */
 async function timesOfADrag(address) {
   const page = await open(address);
@@ -1685,8 +1773,8 @@ claim("a page that is exported alone, or with --single, is one file that opens f
   const one = exported("polygons-gjk");
   const several = exported("stop-vertex", "--index", "--single");
   assert.deepEqual(readdirSync(one.folder), ["polygons-gjk.html"]);
-  assert.deepEqual(readdirSync(several.folder).sort(), ["about.html", "index.html", "playground.html", "stop-vertex.html"]);
-  for (const [{ folder, at }, name] of [[one, "polygons-gjk"], [several, "stop-vertex"], [several, "playground"], [several, "index"], [several, "about"]]) {
+  assert.deepEqual(readdirSync(several.folder).sort(), ["about.html", "index.html", "playground.html", "practice.html", "stop-vertex.html"]);
+  for (const [{ folder, at }, name] of [[one, "polygons-gjk"], [several, "stop-vertex"], [several, "playground"], [several, "practice"], [several, "index"], [several, "about"]]) {
     copyFileSync(join(folder, `${name}.html`), join(folder, "copy.html"));
     const page = await open(at("copy.html"));
     if (await page.locator("#wasm").count()) {
@@ -1709,7 +1797,7 @@ claim("no script runs in a page but its own", async () => {
     document.getElementById("intruder").click();
     return new Promise((done) => setTimeout(() => done(window.intruded), 300));
   };
-  for (const address of ["stop-vertex", "playground", "index", "about"].flatMap((name) => [url(name), at(`${name}.html`)])) {
+  for (const address of ["stop-vertex", "playground", "practice", "index", "about"].flatMap((name) => [url(name), at(`${name}.html`)])) {
     const page = await open(address);
     assert.deepEqual(page.complaints, [], address);
     assert.doesNotMatch(await page.locator("meta[http-equiv]").getAttribute("content"), /script-src[^;]*'unsafe-(inline|eval)'/);
@@ -1733,7 +1821,7 @@ claim("a site that a server gave once works without a network, until a newer one
   await page.evaluate(() => navigator.serviceWorker.ready);
   assert.deepEqual(page.complaints, []);
   await context.setOffline(true);
-  for (const name of ["", "index.html", "playground.html", ...pages.filter((_, i) => i % 9 === 0)]) {
+  for (const name of ["", "index.html", "playground.html", "practice.html", ...pages.filter((_, i) => i % 9 === 0)]) {
     const visit = await context.newPage();
     await visit.goto(server.address + name);
     if (await visit.locator("#wasm").count()) await ready(visit);

@@ -61,6 +61,14 @@ for (let i = 1; i <= 10; ++i) ask({ do: "move", x: x + 7.3 * i, y: y + 4.1 * i }
 ask({ do: "move", x: x + 90, y: y + 90, snaps: true });
 ask({ do: "release" });
 ask({ do: "lesson" });
+for (const chapter of [1, 2, 3, 4, 5, 9]) {
+  for (const answers of [[], [true, false, true, false, false]]) {
+    ask({ do: "practise", chapter, seed: 7, answers });
+    ask({ do: "task" });
+    ask({ do: "trace" });
+  }
+}
+ask({ do: "open", lesson: read("assets/web/playground.toml"), name: "playground.toml" });
 const cases = readdirSync(`${root}/tests/hard-cases`);
 for (const file of cases) {
   const text = read(`tests/hard-cases/${file}`);

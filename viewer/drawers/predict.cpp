@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <tuple>
 
 #include "app.hpp"
-#include "practice/practice.hpp"
+#include "session/practising.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
@@ -19,9 +18,7 @@ struct Predict {
   App& app;
   bool every_step = true;  ///< Or what the lesson asks.
   bool is_open = false;
-  std::optional<practice::Practice> practice = {};
-  long version = -1;  ///< The session's, while it shows the task of `practice`.
-  std::uint64_t seed = 0;
+  std::optional<Practising> practising = {};
 
   [[nodiscard]] Session& session() const { return app.session(); }
 
@@ -39,40 +36,27 @@ struct Predict {
   }
 
   void show_task() {
-    if (!app.show(practice->task().lesson, {}, "practice")) return;
+    if (!app.show(practising->practice().task().lesson, {}, "practice")) return;
     every_step = false;
     ask();
-    const std::vector<Frame>& frames = session().run().frames;
-    const auto asking = std::find_if(frames.begin(), frames.end(),
-                                     [](const Frame& frame) { return frame.question >= 0; });
-    session().go_to(static_cast<int>(asking - frames.begin()));
-    version = session().version();
+    practising->begin(session());
   }
 
+  /// Goes on where the chapter was left.
   void practise(int chapter) {
-    practice.emplace(chapter, seed++);
+    Memory::Practised& known = app.practised(chapter);
+    practising.emplace(practice::Practice(chapter, known.seed, known.answers));
     show_task();
-  }
-
-  /// Whether all answers to the task were right; nothing before all of them are given.
-  [[nodiscard]] std::optional<bool> outcome() const {
-    bool right = true;
-    const std::vector<Frame>& frames = session().run().frames;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      if (frames[i].question < 0) continue;
-      const Answer* given = session().given(static_cast<int>(i));
-      if (given == nullptr) return std::nullopt;
-      right = right && given->is_right();
-    }
-    return right;
   }
 
   void next_task() {
-    practice->answer(*outcome());
+    practising->next(session());
+    const practice::Practice& practice = practising->practice();
+    app.practised(practice.chapter()).answers = practice.answers();
     show_task();
   }
   [[nodiscard]] bool has_answered_task() const {
-    return practice && session().is_asking() && session().version() == version && outcome();
+    return practising && practising->outcome(session());
   }
 
   void draw_practice() {
@@ -87,12 +71,12 @@ struct Predict {
       if (ImGui::Button(fmt::format("{}##practice", chapter).c_str())) practise(chapter);
       tip(fmt::format("Practise chapter {}", chapter), tips::kBelow, ImGui::IsItemHovered());
     }
-    if (!practice) return;
-    if (practice->answered() > 0)
-      wrapped_text(fmt::format("Chapter {}: {} of {} tasks right, {} to repeat",
-                               practice->chapter(), practice->right(), practice->answered(),
-                               practice->repeating()));
-    if (session().version() != version) {
+    if (!practising) return;
+    const practice::Practice& practice = practising->practice();
+    if (const std::size_t answered = practice.answers().size(); answered > 0)
+      wrapped_text(fmt::format("Chapter {}: {} of {} tasks right, {} to repeat", practice.chapter(),
+                               practice.right(), answered, practice.repeating()));
+    if (!practising->is_shown(session())) {
       if (ImGui::Button("Back to the task", {-1.0f, 0.0f})) show_task();
     } else {
       app.draw_button("Next task", -1.0f);

@@ -1,0 +1,89 @@
+#include "session/verdict_marks.hpp"
+
+#include <algorithm>
+
+#include "frames/stage.hpp"
+#include "outlines/polygon.hpp"
+#include "session/pointing.hpp"
+
+namespace gjkscope {
+namespace {
+
+constexpr double kRing = 13.0;
+
+/// A point of the page, or a segment.
+struct Place {
+  Point from;
+  Point to;
+};
+
+class Verdict {
+ public:
+  Verdict(Picture& picture, const LessonRun& run, std::span<const LessonPictures::ShownView> views,
+          const FrameQuestion& asked)
+      : picture_(picture), run_(run), views_(views), asked_(asked) {}
+
+  void mark(const std::string& choice, const std::string& role, bool strikes) {
+    const std::optional<Place> place = place_of(choice);
+    if (!place) return;
+    if (place->from != place->to) return add(role, Polyline{{place->from, place->to}});
+    add(role, Disk{place->from, kRing});
+    const Point reach = Point::Constant(0.7 * kRing);
+    if (strikes) add(role, Polyline{{place->from - reach, place->from + reach}});
+  }
+
+  void way(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    for (const LessonPictures::ShownView& shown : views_) {
+      if (shown.kind != ViewKind::world) continue;
+      const StageMap map(shown.card, shown.camera);
+      add("verdict.way", Polyline{{map(from), map(to)}});
+      add("verdict.chosen", Disk{map(from), 5.0});
+      add("verdict.right", Disk{map(to), kRing});
+    }
+  }
+
+ private:
+  [[nodiscard]] std::optional<Place> place_of(const std::string& choice) const {
+    const auto found = std::find(asked_.choices.begin(), asked_.choices.end(), choice);
+    const auto at = static_cast<std::size_t>(found - asked_.choices.begin());
+    if (at < asked_.spots.size() && asked_.spots[at]) {
+      const Spot& spot = *asked_.spots[at];
+      const auto view = std::find_if(views_.begin(), views_.end(),
+                                     [&](const auto& shown) { return shown.kind == spot.view; });
+      if (view == views_.end()) return std::nullopt;
+      const StageMap map(view->card, view->camera);
+      return Place{map(spot.from), map(spot.to)};
+    }
+    for (const Mark& mark : picture_.marks) {
+      if (name_of(run_, mark.subject) != choice) continue;
+      if (const Disk* disk = std::get_if<Disk>(&mark.shape))
+        return Place{disk->center, disk->center};
+      if (const Polygon* polygon = std::get_if<Polygon>(&mark.shape)) {
+        const Point center = centroid(polygon->points);
+        return Place{center, center};
+      }
+    }
+    return std::nullopt;
+  }
+  void add(const std::string& role, decltype(Mark::shape) shape) {
+    picture_.marks.push_back({role, std::move(shape), -1, {}});
+  }
+
+  Picture& picture_;
+  const LessonRun& run_;
+  std::span<const LessonPictures::ShownView> views_;
+  const FrameQuestion& asked_;
+};
+
+}  // namespace
+
+void add_verdict(Picture& picture, const LessonRun& run,
+                 std::span<const LessonPictures::ShownView> views, const FrameQuestion& asked,
+                 const Answer& answer) {
+  Verdict verdict(picture, run, views, asked);
+  if (answer.pointed && answer.place) return verdict.way(*answer.pointed, *answer.place);
+  verdict.mark(answer.right, "verdict.right", false);
+  if (!answer.is_right()) verdict.mark(answer.chosen, "verdict.wrong", true);
+}
+
+}  // namespace gjkscope
