@@ -254,11 +254,24 @@ void solid(SceneBuilder& scene, std::size_t body) {
   }
 }
 
+/// The body that is farther from the eye comes first, even where neither hides the other.
+void solids(SceneBuilder& scene) {
+  if (scene.run.point_query()) return solid(scene, 1);
+  const WideResult& result = scene.positioned.trace.result;
+  const Vector3d way =
+      result.distance > 0.0
+          ? Vector3d(result.y - result.x)
+          : Vector3d(middle_of(scene.positioned.y().world) - middle_of(scene.positioned.x().world));
+  const std::size_t first = scene.map.towards_eye(way) >= 0.0 ? 0 : 1;
+  solid(scene, first);
+  solid(scene, 1 - first);
+}
+
 void shapes(SceneBuilder& scene) {
+  if (scene.map.is_of_space()) return solids(scene);
   // The query point has a mark of its own.
   const std::size_t first = scene.run.point_query() ? 1 : 0;
-  for (std::size_t body = first; body < scene.run.lesson.bodies.size(); ++body)
-    scene.map.is_of_space() ? solid(scene, body) : shape(scene, body);
+  for (std::size_t body = first; body < scene.run.lesson.bodies.size(); ++body) shape(scene, body);
 }
 
 }  // namespace
