@@ -124,7 +124,7 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
                   StillLayers& drawn) {
   const Act& act = *run.act;
   SceneBuilder scene(run, effects, frame, view, map);
-  /// What has a depth comes between the flat marks of the layers below the act and its own.
+  /// Marks with a depth come between the flat marks of the layers below the act and its own.
   const auto finished = [&](std::size_t below) {
     Scene& out = scene.out;
     const std::vector<Mark> marks =

@@ -82,7 +82,7 @@ PointsInSpace part_of(const PointsInSpace& points, const Beyond& beyond) {
 }
 
 struct Parts {
-  PointsInSpace behind;             ///< What the eye does not see through the thing.
+  PointsInSpace behind;             ///< The thing hides it from the eye.
   std::vector<PointsInSpace> rest;  ///< All else, if some is behind.
   bool has_before = false;          ///< Some lies between the thing and the eye.
 };

@@ -27,12 +27,12 @@ struct Convex {
   Convex(std::vector<Facet> faces, const PointsInSpace& points);
 
   std::vector<Facet> facets;     ///< In the order of their boxes' left sides.
-  std::vector<Point> outline;    ///< Of all points on the screen.
+  std::vector<Point> outline;    ///< The hull of all points on the screen.
   std::vector<Facet> sides;      ///< Planes through the outline's edges and the eye.
   Eigen::AlignedBox2d box = {};  ///< On the screen.
-  double widest = 0.0;           ///< Of the facets' boxes.
+  double widest = 0.0;           ///< The width of the widest facet.
   double nearest = 0.0;          ///< The largest z.
-  double touching = 0.0;         ///< What is less deep than this is not behind.
+  double touching = 0.0;         ///< Points less deep than this are not behind.
 };
 
 /// The filled areas of something convex.
@@ -43,7 +43,7 @@ struct Surface {
   bool is_opaque = false;  ///< Lines behind it are drawn as hidden, if they have a role for that.
   Subject subject = {};
   bool is_whole = true;
-  std::vector<Facet> parts = {};  ///< Of the facets, once it is not whole.
+  std::vector<Facet> parts = {};  ///< Parts of the facets, once it is not whole.
   std::size_t index = 0;
 };
 

@@ -1,4 +1,4 @@
-// What is painted over what in space, held to rays cast at the bodies, planes and simplices
+// The order of painting in space, held to rays cast at the bodies, planes and simplices
 // themselves.
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace depth_order_test {
 
 using Eigen::Vector3d;
 
-/// What is drawn, as triangles of the world that look outwards.
+/// A thing that is drawn, as triangles of the world that look outwards.
 struct Drawn {
   std::vector<std::array<Vector3d, 3>> triangles;
   bool is_flat = false;
@@ -265,8 +265,8 @@ TEST(DepthOrder, OfLinesAndDisksIsThatAlongRays) {
   EXPECT_GT(hidden, 500);
 }
 
-/// What only touches is neither before nor behind: nothing is cut, and what comes later lies on
-/// top.
+/// A thing that only touches is neither before nor behind: nothing is cut, and what comes later
+/// lies on top.
 TEST(DepthOrder, OfThingsThatTouchIsTheOrderInWhichTheyCome) {
   const LessonRun run = run_lesson(testing::shipped_lesson("polyhedra-gjk"));
   EffectGraph effects(run);

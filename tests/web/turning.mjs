@@ -1,4 +1,4 @@
-// What it costs a page of an exported site to turn space by the pointer: the program's own time, in its thread, and the page's, until
+// The time in which a page of an exported site turns space by the pointer: the program's own time, in its thread, and the page's, until
 // what is shown has its layout. Nothing here fails; it prints.
 // Usage: node turning.mjs SITE [PAGE ...]
 import { resolve } from "node:path";
