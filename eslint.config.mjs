@@ -46,7 +46,7 @@ export default [
   {
     files: ["**/*.mjs"],
     languageOptions: {
-      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "sent", "waiting", "worker", "giveUp", "paper", "axe", "caches"]),
+      globals: readonly([...browser, "process", "console", "Buffer", "state", "act", "ask", "say", "sent", "waiting", "worker", "giveUp", "paper", "axe", "caches", "answer", "MessageChannel"]),
     },
     rules,
   },

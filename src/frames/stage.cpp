@@ -124,7 +124,16 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
                   StillLayers& drawn) {
   const Act& act = *run.act;
   SceneBuilder scene(run, effects, frame, view, map);
-  if (act.fill != nullptr && act.fill(scene, fonts)) return std::move(scene.out);
+  /// Marks with a depth come between the flat marks of the layers below the act and its own.
+  const auto finished = [&](std::size_t below) {
+    Scene& out = scene.out;
+    const std::vector<Mark> marks =
+        in_order_of_depth(std::move(out.surfaces), std::move(out.loose_marks));
+    out.marks.insert(out.marks.begin() + static_cast<std::ptrdiff_t>(below), marks.begin(),
+                     marks.end());
+    return std::move(out);
+  };
+  if (act.fill != nullptr && act.fill(scene, fonts)) return finished(0);
   const auto draw_layer = [&](const Layer& layer) {
     if (layer.key == nullptr) return layer.draw(scene);
     const auto [still, is_new] = drawn.try_emplace({&layer, layer.key(scene)});
@@ -143,9 +152,10 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
     }
   };
   draw(false);
+  const std::size_t below = scene.out.marks.size();
   act.stage(scene);
   draw(true);
-  return std::move(scene.out);
+  return finished(below);
 }
 
 }  // namespace gjkscope

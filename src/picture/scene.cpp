@@ -37,6 +37,8 @@ void Scene::append(const Scene& more) {
     to.insert(to.end(), from.begin(), from.end());
   };
   add(marks, more.marks);
+  add(surfaces, more.surfaces);
+  add(loose_marks, more.loose_marks);
   add(fixed_labels, more.fixed_labels);
   add(moving_labels, more.moving_labels);
   add(area_labels, more.area_labels);
@@ -123,6 +125,19 @@ void SceneBuilder::hatched(const std::string& role, const std::vector<Point>& po
 void SceneBuilder::line(std::string role, const Point& a, const Point& b, const Subject& subject) {
   add(std::move(role), Polyline{{a, b}}, subject);
   out.obstacles.segments.push_back({a, b});
+}
+
+void SceneBuilder::line_in_space(std::string role, const Eigen::Vector3d& a,
+                                 const Eigen::Vector3d& b, std::string hidden,
+                                 const Subject& subject) {
+  out.loose_marks.push_back(
+      {std::move(role), {map.in_depth(a), map.in_depth(b)}, std::move(hidden), subject});
+}
+
+void SceneBuilder::disk_in_space(std::string role, const Eigen::Vector3d& center, double radius,
+                                 const Subject& subject) {
+  out.loose_marks.push_back({std::move(role), {map.in_depth(center)}, {}, subject, radius});
+  out.obstacles.circles.push_back({at(center), radius});
 }
 
 void SceneBuilder::outline(const std::vector<Point>& points) {

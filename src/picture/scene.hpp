@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lesson/vocabulary.hpp"
+#include "picture/depth_order.hpp"
 #include "picture/labels.hpp"
 #include "run/facts.hpp"
 #include "run/graph.hpp"
@@ -56,6 +57,11 @@ class StageMap {
   /// Directions of the world to the right, up and towards the eye, as rows; only in space.
   [[nodiscard]] const Eigen::Matrix3d& axes() const { return axes_; }
   [[nodiscard]] const Eigen::Vector3d& center() const { return camera_.center; }
+  /// Frame pixels, and as many towards the eye; only in space.
+  [[nodiscard]] Eigen::Vector3d in_depth(const Eigen::Vector3d& v) const {
+    const Eigen::Vector3d d = scale() * (axes_ * (v - camera_.center));
+    return {area_.center().x() + d.x(), area_.center().y() - d.y(), d.z()};
+  }
   /// How far v reaches towards the eye; only in space.
   [[nodiscard]] double towards_eye(const Eigen::Vector3d& v) const { return axes_.row(2).dot(v); }
   [[nodiscard]] const Rect& area() const { return area_; }
@@ -79,6 +85,8 @@ class StageMap {
 /// The drawing on a stage at one frame, labels not yet placed.
 struct Scene {
   std::vector<Mark> marks;
+  std::vector<Surface> surfaces;       ///< Areas of space, until they are marks.
+  std::vector<LooseMark> loose_marks;  ///< The same.
   std::vector<LabelRequest>
       fixed_labels;  ///< For things that do not move: one place for the whole lesson.
   std::vector<LabelRequest> moving_labels;
@@ -155,6 +163,12 @@ struct SceneBuilder {
   /// An area told by lines alone, for which no colour is needed.
   void hatched(const std::string& role, const std::vector<Point>& points);
   void line(std::string role, const Point& a, const Point& b, const Subject& subject = {});
+  /// In space lines and disks are painted at their depth; `hidden`: the role of what lies behind
+  /// an opaque body, if it is another.
+  void line_in_space(std::string role, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                     std::string hidden = {}, const Subject& subject = {});
+  void disk_in_space(std::string role, const Eigen::Vector3d& center, double radius,
+                     const Subject& subject = {});
   /// The closed outline as an obstacle alone.
   void outline(const std::vector<Point>& points);
   /// As one that labels rather keep off.

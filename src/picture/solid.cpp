@@ -11,6 +11,16 @@ namespace gjkscope {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+namespace {
+
+/// A face with this normal, which has no corners yet.
+Facet facet_of(const StageMap& map, const Vector3d& normal) {
+  const Vector3d seen = map.axes() * normal;
+  return {{}, Vector3d(seen.x(), -seen.y(), seen.z())};
+}
+
+}  // namespace
+
 std::vector<bool> faces_in_front(const StageMap& map, const Polyhedron& solid) {
   constexpr double kEdgeOn = 1e-9;
   std::vector<bool> out;
@@ -77,33 +87,16 @@ std::optional<std::array<double, 2>> part_behind(const StageMap& map, const Soli
 }
 
 void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<Vector3d>& points,
-                const std::string& role, const Subject& subject, const SolidBody* other) {
+                const std::string& role, const Subject& subject, Stuff stuff) {
   // From the upper left, in the directions of the screen.
   const Vector3d light = scene.map.axes().transpose() * Vector3d(-0.5, 0.6, 0.6).normalized();
   constexpr double kShaded = 0.35;
   const auto at = [&](int vertex) { return scene.at(points[static_cast<std::size_t>(vertex)]); };
-  const auto edge = [&](const Polyhedron::Edge& ends, const std::string& of) {
-    scene.add(of, Polyline{{at(ends.from), at(ends.to)}}, subject);
-  };
-  const auto hidden_by_other = [&](const Polyhedron::Edge& ends) {
-    return other == nullptr
-               ? std::nullopt
-               : part_behind(scene.map, *other, points[static_cast<std::size_t>(ends.from)],
-                             points[static_cast<std::size_t>(ends.to)]);
-  };
+  const std::string hidden = stuff == Stuff::core ? std::string() : role + ".hidden";
   /// An edge that its own body does not hide.
   const auto edge_in_front = [&](const Polyhedron::Edge& ends, const std::string& of) {
-    const auto hidden = hidden_by_other(ends);
-    if (!hidden) return edge(ends, of);
-    const auto part = [&](double begin, double end, const std::string& part_of) {
-      const Point way = at(ends.to) - at(ends.from);
-      if ((end - begin) * way.norm() < 0.5) return;  // of a pixel
-      scene.add(part_of, Polyline{{at(ends.from) + begin * way, at(ends.from) + end * way}},
-                subject);
-    };
-    part(0.0, (*hidden)[0], of);
-    part((*hidden)[0], (*hidden)[1], role + ".hidden");
-    part((*hidden)[1], 1.0, of);
+    scene.line_in_space(of, points[static_cast<std::size_t>(ends.from)],
+                        points[static_cast<std::size_t>(ends.to)], hidden, subject);
   };
   if (solid.faces.empty()) {
     for (const Polyhedron::Edge& ends : solid.edges) {
@@ -121,33 +114,41 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   for (const Polyhedron::Edge& ends : solid.edges) length += (at(ends.from) - at(ends.to)).norm();
   const double mean = length / static_cast<double>(solid.edges.size());
   for (const Polyhedron::Edge& ends : solid.edges) {
-    if (mean > kHiddenRoom && !is_front(ends.left) && !is_front(ends.right))
-      edge(ends, role + ".hidden");
+    if (is_front(ends.left) != is_front(ends.right)) {
+      edge_in_front(ends, role);
+    } else if (is_front(ends.left)) {
+      if (mean > kRoom) edge_in_front(ends, role + ".edge");
+    } else if (mean > kHiddenRoom) {
+      scene.line_in_space(role + ".hidden", points[static_cast<std::size_t>(ends.from)],
+                          points[static_cast<std::size_t>(ends.to)], {}, subject);
+    }
   }
-  std::vector<Point> seen;
-  for (const int vertex : solid.vertices) seen.push_back(at(vertex));
-  std::vector<Point> silhouette;
-  for (const int corner : convex_hull(seen))
-    silhouette.push_back(seen[static_cast<std::size_t>(corner)]);
+  std::vector<Facet> facets;
   for (std::size_t k = 0; k < solid.faces.size(); ++k) {
-    if (mean <= kRoom || !front[k] || light.dot(solid.faces[k].normal) > kShaded) continue;
-    std::vector<Point> corners;
-    for (const int vertex : solid.faces[k].vertices) corners.push_back(at(vertex));
-    scene.area(role + ".shade", corners);
+    if (!front[k]) continue;
+    Facet facet = facet_of(scene.map, solid.faces[k].normal);
+    facet.is_shaded = mean > kRoom && light.dot(solid.faces[k].normal) <= kShaded;
+    for (const int vertex : solid.faces[k].vertices)
+      facet.corners.push_back(scene.map.in_depth(points[static_cast<std::size_t>(vertex)]));
+    facets.push_back(std::move(facet));
   }
-  const auto is_silhouette = [&](const Polyhedron::Edge& ends) {
-    return is_front(ends.left) != is_front(ends.right);
-  };
-  const bool is_whole = std::none_of(
-      solid.edges.begin(), solid.edges.end(),
-      [&](const Polyhedron::Edge& ends) { return is_silhouette(ends) && hidden_by_other(ends); });
-  if (silhouette.size() > 2) scene.area(is_whole ? role : role + ".fill", silhouette, subject);
-  for (const Polyhedron::Edge& ends : solid.edges) {
-    if (mean > kRoom && is_front(ends.left) && is_front(ends.right))
-      edge_in_front(ends, role + ".edge");
-    if (!is_whole && is_silhouette(ends)) edge_in_front(ends, role);
-  }
-  scene.outline(silhouette);
+  PointsInSpace corners;
+  for (const int vertex : solid.vertices)
+    corners.push_back(scene.map.in_depth(points[static_cast<std::size_t>(vertex)]));
+  const auto shape = std::make_shared<const Convex>(std::move(facets), corners);
+  scene.outline(shape->outline);
+  scene.out.surfaces.push_back(
+      {role + ".fill", role + ".shade", shape, stuff == Stuff::body, subject});
+}
+
+void draw_face(SceneBuilder& scene, const std::vector<Vector3d>& corners, const std::string& role) {
+  Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  if (scene.map.towards_eye(normal) < 0.0) normal = -normal;
+  Facet facet = facet_of(scene.map, normal);
+  for (const Vector3d& corner : corners) facet.corners.push_back(scene.map.in_depth(corner));
+  const PointsInSpace points = facet.corners;
+  scene.out.surfaces.push_back(
+      {role, {}, std::make_shared<const Convex>(std::vector<Facet>{std::move(facet)}, points)});
 }
 
 void draw_plane(SceneBuilder& scene, const Vector3d& center, const Vector3d& normal,
@@ -156,12 +157,13 @@ void draw_plane(SceneBuilder& scene, const Vector3d& center, const Vector3d& nor
   Vector3d along = Vector3d::UnitZ().cross(normal);
   along = along.norm() > 1e-6 * normal.norm() ? along.normalized() : Vector3d::UnitX();
   const Vector3d across = normal.normalized().cross(along);
-  std::vector<Point> corners;
+  std::vector<Vector3d> corners;
   for (const auto& [a, b] : {std::pair(-1.0, -1.0), {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
-    corners.push_back(scene.at(center + half_width * (a * along + b * across)));
-  scene.area(role + ".fill", corners);
-  scene.add(role, Polyline{corners, true});
-  scene.passing_outline(corners);
+    corners.emplace_back(center + half_width * (a * along + b * across));
+  draw_face(scene, corners, role + ".fill");
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    scene.line_in_space(role, corners[i], corners[(i + 1) % corners.size()], role + ".hidden");
+  scene.passing_outline(scene.mapped(corners));
 }
 
 }  // namespace gjkscope

@@ -33,12 +33,20 @@ struct SolidBody {
                                                                const Eigen::Vector3d& from,
                                                                const Eigen::Vector3d& to);
 
-/// The silhouette has the role, faces that turn away from the light ROLE.shade, edges ROLE.edge and
-/// ROLE.hidden, as far as they have room. `points`: those that the hull was made of. `other`: a
-/// body that may hide parts of this one, even where the two overlap.
+/// Lines that lie behind a body are dashed; those of a core, which is shown for what is inside of
+/// bodies, are not.
+enum class Stuff { body, glass, core };
+
+/// The silhouette has the role, the area within ROLE.fill, faces that turn away from the light
+/// ROLE.shade, edges ROLE.edge and ROLE.hidden, as far as they have room. `points`: those that the
+/// hull was made of.
 void draw_solid(SceneBuilder& scene, const Polyhedron& solid,
                 const std::vector<Eigen::Vector3d>& points, const std::string& role,
-                const Subject& subject = {}, const SolidBody* other = nullptr);
+                const Subject& subject = {}, Stuff stuff = Stuff::glass);
+
+/// A flat convex polygon, as glass.
+void draw_face(SceneBuilder& scene, const std::vector<Eigen::Vector3d>& corners,
+               const std::string& role);
 
 /// The part of a plane around `center`, which lies in it, as a square with this half-width.
 void draw_plane(SceneBuilder& scene, const Eigen::Vector3d& center, const Eigen::Vector3d& normal,

@@ -45,6 +45,14 @@ class CloudDots {
     taken_.resize(columns_ * (static_cast<std::size_t>(size.y()) + 1));
   }
 
+  /// In space, where there is room, at its depth.
+  void draw(const Eigen::Vector3d& z, gjk::VertexPair pair) {
+    constexpr double kRoom = 2.0;  // radius
+    if (!taken_.empty() || radius_ < kRoom) return draw(scene_.at(z), pair);
+    scene_.disk_in_space("cloud.point", z, radius_,
+                         {Subject::Kind::difference_vertex, pair.x, pair.y});
+  }
+
   void draw(const Point& point, gjk::VertexPair pair) {
     const Subject subject{Subject::Kind::difference_vertex, pair.x, pair.y};
     if (taken_.empty()) return scene_.disk("cloud.point", point, radius_, subject);
@@ -89,7 +97,7 @@ void difference_in_space(SceneBuilder& scene, bool wants_hull, bool wants_cloud)
   }
   if (!wants_cloud) return;
   CloudDots dots(scene, scene.mapped(z.points), z.points.size());
-  for (std::size_t i = 0; i < z.points.size(); ++i) dots.draw(scene.at(z.points[i]), z.pairs[i]);
+  for (std::size_t i = 0; i < z.points.size(); ++i) dots.draw(z.points[i], z.pairs[i]);
 }
 
 void difference(SceneBuilder& scene) {

@@ -45,7 +45,7 @@ void draw_fraction(SceneBuilder& scene) {
     for (int i = 0; i < simplex.count; ++i) {
       if (i != marked) corners.emplace_back(simplex.vertices[i].w + scene.shift);
     }
-    draw_solid(scene, hull_in_space(corners), corners, role);
+    draw_solid(scene, hull_in_space(corners), corners, role, {}, Stuff::core);
     const Point at = scene.at_difference(simplex.vertices[marked].w);
     scene.disk("fraction.vertex", at, sizes::kRingRadius);
   }

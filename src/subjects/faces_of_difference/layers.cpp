@@ -66,7 +66,11 @@ void source(SceneBuilder& scene, const Shown& shown, const std::vector<int>& par
   std::vector<Point> corners;
   for (const int vertex : part)
     corners.push_back(scene.at(world[static_cast<std::size_t>(vertex)]));
-  if (corners.size() > 2) return scene.area(is_x ? "zface.x" : "zface.y", corners);
+  if (corners.size() > 2) {
+    std::vector<Vector3d> face;
+    for (const int vertex : part) face.push_back(world[static_cast<std::size_t>(vertex)]);
+    return draw_face(scene, face, is_x ? "zface.x" : "zface.y");
+  }
   if (corners.size() == 2) return scene.line(is_x ? "from.x" : "from.y", corners[0], corners[1]);
   scene.diamond("support.vertex", corners[0], kSupportRadius,
                 is_x ? Subject{Subject::Kind::vertex_of_x, part[0]}

@@ -120,20 +120,28 @@ void chords(SceneBuilder& scene, gjk::Face face) {
 
 namespace {
 
-void tetrahedron(SceneBuilder& scene) {
+std::vector<Vector3d> corners_of(const SceneBuilder& scene, gjk::Face face) {
   std::vector<Vector3d> corners;
-  for (int i = 0; i < scene.state.simplex.count; ++i)
-    corners.emplace_back(scene.state.simplex.vertices[i].w + scene.shift);
-  draw_solid(scene, hull_in_space(corners), corners, "simplex.solid");
+  for (int i = 0; i < scene.state.simplex.count; ++i) {
+    if (gjk::contains(face, i))
+      corners.emplace_back(scene.state.simplex.vertices[i].w + scene.shift);
+  }
+  return corners;
 }
 
-/// The triangle of a tetrahedron that holds P.
-void face_of_p(SceneBuilder& scene, gjk::Face face) {
-  std::vector<Point> corners;
-  for (int i = 0; i < scene.state.simplex.count; ++i) {
-    if (gjk::contains(face, i)) corners.push_back(scene.vertex_at(i));
-  }
-  scene.area("simplex.face", corners);
+void tetrahedron(SceneBuilder& scene) {
+  const std::vector<Vector3d> corners = corners_of(scene, scene.state.simplex.all());
+  draw_solid(scene, hull_in_space(corners), corners, "simplex.solid", {}, Stuff::core);
+}
+
+void edge(SceneBuilder& scene, const std::string& role, int i, int j) {
+  const Point a = scene.vertex_at(i);
+  const Point b = scene.vertex_at(j);
+  if (!scene.map.is_of_space()) return scene.line(role, a, b);
+  const WideSimplex& simplex = scene.state.simplex;
+  scene.line_in_space(role, simplex.vertices[i].w + scene.shift,
+                      simplex.vertices[j].w + scene.shift);
+  scene.out.obstacles.segments.push_back({a, b});
 }
 
 }  // namespace
@@ -144,17 +152,21 @@ void simplex(SceneBuilder& scene) {
   if (scene.shows_difference) {
     std::vector<Point> points;
     for (int i = 0; i < simplex.count; ++i) points.push_back(scene.vertex_at(i));
-    if (scene.shows_whole_simplex() && points.size() == 3) scene.area("simplex.fill", points);
+    const bool is_triangle = scene.shows_whole_simplex() && points.size() == 3;
+    if (is_triangle && !scene.map.is_of_space()) scene.area("simplex.fill", points);
+    if (is_triangle && scene.map.is_of_space())
+      draw_face(scene, corners_of(scene, simplex.all()), "simplex.fill");
     if (scene.shows_whole_simplex() && points.size() == 4) tetrahedron(scene);
+    // The triangle of a tetrahedron that holds P.
     if (scene.map.is_of_space() && points.size() > 3 && gjk::vertex_count(face) == 3)
-      face_of_p(scene, face);
+      draw_face(scene, corners_of(scene, face), "simplex.face");
     for (int i = 0; i < simplex.count; ++i) {
       for (int j = i + 1; j < simplex.count; ++j) {
         const bool holds_p =
             gjk::contains(face, i) && gjk::contains(face, j) && gjk::vertex_count(face) == 2;
         // The edges of a tetrahedron are drawn already, some of them dashed.
         if (holds_p || (scene.shows_whole_simplex() && simplex.count < 4))
-          scene.line(holds_p ? "simplex.feature" : "simplex.edge", points[i], points[j]);
+          edge(scene, holds_p ? "simplex.feature" : "simplex.edge", i, j);
       }
     }
   } else {

@@ -225,7 +225,7 @@ void solid(SceneBuilder& scene, std::size_t body) {
   const ShapeSolids::Value& hulls = scene.effects.get<ShapeSolids>(scene.frame);
   const Polyhedron& hull = hulls[body];
   const SolidBody other{hulls[1 - body], scene.positioned.bodies[1 - body].world};
-  draw_solid(scene, hull, world, role, {is_x ? Kind::shape_x : Kind::shape_y}, &other);
+  draw_solid(scene, hull, world, role, {is_x ? Kind::shape_x : Kind::shape_y}, Stuff::body);
   const std::vector<Point> vertices = scene.mapped(world);
   std::vector<bool> behind = vertices_behind(scene.map, hull, world.size());
   for (const int vertex : hull.vertices) {
@@ -240,9 +240,10 @@ void solid(SceneBuilder& scene, std::size_t body) {
     // Among many vertices those alone have a mark that frames speak of: names lie on the body.
     if (!seen[i] || (named[i] != Named::yes && radius == 0.0)) continue;
     const int index = static_cast<int>(i);
-    scene.disk(role + (behind[i] ? ".vertex.hidden" : ".vertex"), vertices[i],
-               radius > 0.0 ? radius : kNamedRadius,
-               is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
+    scene.disk_in_space(
+        role + (behind[i] ? ".vertex.hidden" : ".vertex"), world[i],
+        radius > 0.0 ? radius : kNamedRadius,
+        is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
     if (named[i] == Named::no) continue;
     const std::string& name = scene.run.lesson.bodies[body].vertex_names[i];
     const Point away = world.size() == 1 ? Point::Zero() : Point(vertices[i] - middle);
@@ -253,8 +254,7 @@ void solid(SceneBuilder& scene, std::size_t body) {
   }
 }
 
-/// The body that is farther from the eye comes first. Bodies that are apart lie on two sides of a
-/// plane, so that the direction from x to y tells.
+/// The body that is farther from the eye comes first, even where neither hides the other.
 void solids(SceneBuilder& scene) {
   if (scene.run.point_query()) return solid(scene, 1);
   const WideResult& result = scene.positioned.trace.result;

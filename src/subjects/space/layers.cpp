@@ -93,9 +93,9 @@ void drop_line(SceneBuilder& scene) {
   const bool in_world = scene.view.kind == ViewKind::world;
   if (!has_floor(scene) || (in_world && !scene.run.point_query())) return;
   const Vector3d from = in_world ? scene.positioned.x().world.front() : Vector3d(Vector3d::Zero());
-  const Point foot = scene.at(Vector3d(from.x(), from.y(), floor_of(scene).z));
-  scene.add("floor.drop", Polyline{{scene.at(from), foot}});
-  scene.add("floor.foot", Disk{foot, 2.0});
+  const Vector3d foot(from.x(), from.y(), floor_of(scene).z);
+  scene.line_in_space("floor.drop", from, foot);
+  scene.add("floor.foot", Disk{scene.at(foot), 2.0});
 }
 
 void triad(SceneBuilder& scene) {
@@ -130,15 +130,14 @@ void faces_before(SceneBuilder& scene) {
   if (!scene.knows.closest_point) return;
   const WideSimplex& simplex = scene.effects.get<BarycentricWeights>(scene.frame).simplex;
   for (const gjk::Face face : scene.effects.get<FacesBefore>(scene.frame)) {
-    std::vector<Point> corners;
+    std::vector<Vector3d> corners;
     for (int i = 0; i < simplex.count; ++i) {
-      if (gjk::contains(face, i)) corners.push_back(scene.at_difference(simplex.vertices[i].w));
+      if (gjk::contains(face, i)) corners.emplace_back(simplex.vertices[i].w + scene.shift);
     }
-    scene.area("face.before", corners);
+    draw_face(scene, corners, "face.before");
   }
-  const Point q = scene.at_difference(Vector3d::Zero());
   for (int i = 0; i < simplex.count; ++i)
-    scene.add("face.way", Polyline{{q, scene.at_difference(simplex.vertices[i].w)}});
+    scene.line_in_space("face.way", scene.shift, simplex.vertices[i].w + scene.shift);
 }
 
 EffectKey same_in_run(const SceneBuilder& scene) { return {scene.frame.run, -1, -1}; }
@@ -154,7 +153,6 @@ const Layer kFloor{.effect = {},
 const Layer kTriad{
     .effect = {}, .on = Layer::On::every_view, .order = 6, .draw = triad, .key = same_in_run};
 
-// Over the region solid, which may begin behind it.
 const Layer kDropLine{
     .effect = {}, .on = Layer::On::every_view, .order = 41, .draw = drop_line, .key = same_in_run};
 

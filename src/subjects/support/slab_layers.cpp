@@ -9,8 +9,12 @@ namespace gjkscope::layers {
 namespace {
 
 void touched_points(SceneBuilder& scene) {
-  for (const auto& point : scene.effects.get<TouchedPoints>(scene.frame))
-    scene.disk("cloud.touched", scene.at_difference(point.w), sizes::kTouchedRadius);
+  for (const auto& point : scene.effects.get<TouchedPoints>(scene.frame)) {
+    if (scene.map.is_of_space())
+      scene.disk_in_space("cloud.touched", point.w + scene.shift, sizes::kTouchedRadius);
+    else
+      scene.disk("cloud.touched", scene.at_difference(point.w), sizes::kTouchedRadius);
+  }
 }
 
 }  // namespace
@@ -48,8 +52,13 @@ void slab_in_space(SceneBuilder& scene, const BestSupport::Strip& strip) {
   }
   if (scene.knows.has_ended) return;
   const Point across = scene.map.direction(strip.normal);
-  const Point tick = Point(-across.y(), across.x()).normalized();
-  slab_width(scene, strip.width, scene.at(x_side), scene.at(y_side), kTick * tick);
+  const Vector3d tick = kTick / scene.map.scale() * scene.map.axes().transpose() *
+                        Vector3d(-across.y(), -across.x(), 0.0).normalized();
+  scene.line_in_space("slab.width", x_side, y_side);
+  for (const Vector3d& end : {x_side, y_side})
+    scene.line_in_space("slab.width", end - tick, end + tick);
+  scene.out.obstacles.segments.push_back({scene.at(x_side), scene.at(y_side)});
+  scene.length_label("slab", strip.width, scene.at(x_side), scene.at(y_side));
 }
 
 void slab(SceneBuilder& scene) {

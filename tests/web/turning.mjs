@@ -1,0 +1,84 @@
+// The time in which a page of an exported site turns space by the pointer: the program's own time, in its thread, and the page's, until
+// what is shown has its layout. Nothing here fails; it prints.
+// Usage: node turning.mjs SITE [PAGE ...]
+import { resolve } from "node:path";
+import { chromium } from "playwright-core";
+
+import { serve } from "./server.mjs";
+
+const site = resolve(process.argv[2]);
+const names = process.argv.length > 3 ? process.argv.slice(3) : ["polyhedra-gjk", "tetrahedron-regions", "hill-climbing", "slab-in-space"];
+const MOVES = 60;
+
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+
+/** Milliseconds of each move, in the program and in the page. */
+async function times(address) {
+  const context = await browser.newContext({ viewport: { width: 1366, height: 768 }, serviceWorkers: "block" });
+  const page = await context.newPage();
+  await page.goto(address);
+  await page.locator("html[data-ready]").waitFor({ state: "attached", timeout: 60000 });
+  const box = await page.locator("#stage svg").boundingBox();
+  const from = [box.x + 20, box.y + box.height / 2];
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.waitForFunction(() => state.dragging);
+  const [thread] = page.workers();
+  await thread.evaluate(() => {
+    const whole = answer;
+    globalThis.spent = [];
+    answer = (message) => {
+      const begin = performance.now();
+      const told = whole(message);
+      if (message.includes('"move"')) globalThis.spent.push(performance.now() - begin);
+      return told;
+    };
+  });
+  const eye = () => page.evaluate(() => String(state.eye));
+  const before = await eye();
+  const ofPage = await page.evaluate(async ({ from: [x, y], moves }) => {
+    const heard = worker.onmessage;
+    const spent = [];
+    let told;
+    worker.onmessage = (event) => {
+      const begin = performance.now();
+      heard(event);
+      // A task of its own comes after all that waits for the answer.
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => {
+        document.body.getBoundingClientRect();
+        spent.push(performance.now() - begin);
+        told();
+      };
+      port2.postMessage(null);
+    };
+    for (let i = 1; i <= moves; ++i) {
+      const isTold = new Promise((done) => { told = done; });
+      const place = { clientX: x + 3 * i, clientY: y + i, pointerId: 1, pointerType: "mouse", bubbles: true };
+      document.getElementById("stage").dispatchEvent(new window.PointerEvent("pointermove", place));
+      await isTold;
+    }
+    worker.onmessage = heard;
+    return spent;
+  }, { from, moves: MOVES });
+  if (await eye() === before) throw new Error(`${address} does not turn`);
+  const ofProgram = await thread.evaluate(() => globalThis.spent);
+  await page.mouse.up();
+  await context.close();
+  return { ofProgram, ofPage };
+}
+
+const told = (all) => {
+  const sorted = [...all].sort((a, b) => a - b);
+  return `${sorted[0].toFixed(1).padStart(7)} ${sorted[Math.floor(sorted.length / 2)].toFixed(1).padStart(7)}`;
+};
+
+const server = await serve(site);
+console.log(`least and median of ${MOVES} moves, ms      program            page            both`);
+for (const name of names) {
+  const { ofProgram, ofPage } = await times(`${server.address}${name}.html`);
+  const both = ofProgram.map((time, i) => time + ofPage[i]);
+  console.log(`${name.padEnd(28)} ${told(ofProgram)} ${told(ofPage)} ${told(both)}`);
+}
+server.close();
+await browser.close();
