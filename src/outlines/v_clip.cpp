@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "outlines/exact_sign.hpp"
@@ -214,6 +215,7 @@ struct Look {
   }
 };
 
+/// Two edges: an end, or both, where their closest points are ends.
 void look_at_edges(const Look& look) {
   const Side a = look.side(true);
   const Side b = look.side(false);
@@ -243,88 +245,95 @@ void look_at_edges(const Look& look) {
   if (volume == 0) look.overlap(Reason::meet);
 }
 
+/// The sides over which the line from a to b, seen along a face's normal, enters the face and
+/// leaves it; none where it does not cross the inside.
+std::optional<std::array<int, 2>> crossed_sides(const Body& body, const Body::Face& face,
+                                                const Vector3d& a, const Vector3d& b) {
+  const int count = count_of(face.vertices);
+  // How far corner i lies on one side of the line: 1 for its left, seen from outside.
+  const auto beside = [&]<class N>(N, int i, int side) {
+    const N left =
+        dot(cross(normal<N>(body, face), way<N>(a, b)), way<N>(a, corner(body, face, i)));
+    return side > 0 ? left : -left;
+  };
+  const auto find = [&](int side) {
+    return search(
+        count, 1, [&]<class N>(N n, int i) { return beside(n, i, side); },
+        [&]<class N>(N, int i) {
+          return -beyond_side<N>(body, face, count - 1, {&corner(body, face, i)});
+        },
+        [](int, int) {});
+  };
+  // The side on which the ring, from a corner on the other side of the line, comes to `side`.
+  const auto crossing = [&](int from, int to, int side) {
+    int low = 0;
+    int high = (to - from + count) % count;
+    while (high - low > 1) {
+      const int middle = (low + high) / 2;
+      const int i = (from + middle) % count;
+      (sign_of([&]<class N>(N n) { return beside(n, i, side); }) > 0 ? high : low) = middle;
+    }
+    return (from + low) % count;
+  };
+  const int left = find(1);
+  const int right = find(-1);
+  if (left < 0 || right < 0) return std::nullopt;
+  return std::array{crossing(left, right, -1), crossing(right, left, 1)};
+}
+
 /// Mirtich's clip of an edge against a face.
 void clip(const Look& look, bool edge_of_x) {
   const Side edge = look.side(edge_of_x);
   const Side other = look.side(!edge_of_x);
   const Body& body = other.body;
   const Body::Face& face = other.face();
-  const int count = count_of(face.vertices);
   const Vector3d& a = edge.from();
   const Vector3d& b = edge.to();
-  // How far corner i lies to the left of the edge, seen from outside.
-  const auto left = [&]<class N>(N, int i) {
-    return dot(cross(normal<N>(body, face), way<N>(a, b)), way<N>(a, corner(body, face, i)));
-  };
-  const auto find = [&](int side) {
-    return search(
-        count, 1, [&]<class N>(N n, int i) { return side > 0 ? left(n, i) : -left(n, i); },
-        [&]<class N>(N, int i) {
-          return -beyond_side<N>(body, face, count - 1, {&corner(body, face, i)});
-        },
-        [](int, int) {});
-  };
-  /// The side along which the ring comes from corner `start` on one side of the edge to `end`.
-  const auto crossing = [&](int start, int end, int to) {
-    int low = 0;
-    int high = (end - start + count) % count;
-    while (high - low > 1) {
-      const int middle = (low + high) / 2;
-      const int i = (start + middle) % count;
-      (sign_of([&]<class N>(N n) { return left(n, i); }) * to > 0 ? high : low) = middle;
-    }
-    return (start + low) % count;
-  };
   const auto beyond = [&](int side, const Vector3d& p) {
     return sign_of([&]<class N>(N) { return beyond_side<N>(body, face, side, {&p}); });
   };
-  const auto empty = [&](const Feature& nearest) {
-    look.take(Reason::clip_empty, !edge_of_x, nearest);
+  const auto take_side = [&](Reason reason, int side) {
+    look.take(reason, !edge_of_x, {Kind::edge, at(face.edges, side)});
   };
-  const int l = find(1);
-  const int r = find(-1);
-  int entry = -1;  // the side over which the edge comes, if its start is not over the face
-  int exit = -1;
-  if (l >= 0 && r >= 0) {  // an edge goes from where the ring turns to its right
-    entry = crossing(l, r, -1);
-    exit = crossing(r, l, 1);
-    if (beyond(entry, b) >= 0) return empty({Kind::edge, at(face.edges, entry)});
-    if (beyond(exit, a) >= 0) return empty({Kind::edge, at(face.edges, exit)});
-    if (beyond(entry, a) <= 0) entry = -1;
-    if (beyond(exit, b) <= 0) exit = -1;
-  } else if (const Feature nearest = nearest_of_face(body, other.feature.index, a);
-             l >= 0 || r >= 0 || nearest.kind != Kind::face) {
-    return empty(nearest);
+  int entry = -1;  // none: the edge starts over the face
+  int exit = -1;   // none: it ends there
+  if (const auto sides = crossed_sides(body, face, a, b)) {
+    const auto [in, out] = *sides;
+    if (beyond(in, b) >= 0) return take_side(Reason::clip_empty, in);
+    if (beyond(out, a) >= 0) return take_side(Reason::clip_empty, out);
+    if (beyond(in, a) > 0) entry = in;
+    if (beyond(out, b) > 0) exit = out;
+  } else {  // it stands upright, or misses the face
+    const Feature nearest = nearest_of_face(body, other.feature.index, a);
+    if (nearest != other.feature) return look.take(Reason::clip_empty, !edge_of_x, nearest);
   }
-  // Where it crosses a side, at the share L / l of its length.
+  // It crosses a side at the share cut[0] / cut[1] of its length.
   const auto cut = [&]<class N>(N, int side) {
     const N at_a = beyond_side<N>(body, face, side, {&a});
     return std::array{at_a, at_a - beyond_side<N>(body, face, side, {&b})};
-  };
-  const auto height_at = [&](int side, const Vector3d& end, int sign) {
-    if (side < 0) return side_of(body, face, end);
-    return sign * sign_of([&]<class N>(N n) {
-             const N at_a = height<N>(body, face, a);
-             const std::array<N, 2> share = cut(n, side);
-             return at_a * share[1] + (height<N>(body, face, b) - at_a) * share[0];
-           });
   };
   const auto share_at = [&](int side, double end) {
     if (side < 0) return end;
     return static_cast<double>(value_of([&]<class N>(N n) { return cut(n, side)[0]; }) /
                                value_of([&]<class N>(N n) { return cut(n, side)[1]; }));
   };
-  // l is positive where the edge enters, negative where it leaves.
-  const Clip part{share_at(entry, 0.0), share_at(exit, 1.0), height_at(entry, a, 1),
-                  height_at(exit, b, -1)};
+  const auto side_at = [&](int side, const Vector3d& end) {
+    if (side < 0) return side_of(body, face, end);
+    const int sign = sign_of([&]<class N>(N n) {
+      const N at_a = height<N>(body, face, a);
+      const std::array<N, 2> share = cut(n, side);
+      return at_a * share[1] + (height<N>(body, face, b) - at_a) * share[0];
+    });
+    return side == entry ? sign : -sign;  // where it leaves, cut[1] is negative
+  };
+  const Clip part{share_at(entry, 0.0), share_at(exit, 1.0), side_at(entry, a), side_at(exit, b)};
   look.record.clip = part;
   if (part.side_from * part.side_to <= 0) return look.overlap(Reason::penetration);
   const int slope = sign_of([&]<class N>(N) { return dot(normal<N>(body, face), way<N>(a, b)); });
   const bool nearer_at_start = slope * part.side_from >= 0;
   const int side = nearer_at_start ? entry : exit;
-  if (side < 0)
-    return look.take(Reason::clip_end, edge_of_x, end_of(edge, nearer_at_start ? -1 : 1));
-  look.take(Reason::clip_side, !edge_of_x, {Kind::edge, at(face.edges, side)});
+  if (side >= 0) return take_side(Reason::clip_side, side);
+  look.take(Reason::clip_end, edge_of_x, end_of(edge, nearer_at_start ? -1 : 1));
 }
 
 /// A pair with a vertex: what is nearest to it on the other feature, which may be all of that.
