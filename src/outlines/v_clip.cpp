@@ -111,7 +111,7 @@ Spot<N> foot(const Side& a, const Side& b) {
   return {&a.from(), u * s.of_a, s.common};
 }
 
-/// Where on the segment ab the foot of a spot lies: -1 before it or at a, 1 at b or beyond, 0.
+/// The place of a spot's foot on the line ab: -1 at a or before, 1 at b or beyond, else 0.
 template <class Foot>
 int spot_on(const Vector3d& a, const Vector3d& b, const Foot& spot) {
   const auto from = [&](const Vector3d& end) {

@@ -52,9 +52,9 @@ struct Body {
   };
   std::vector<Eigen::Vector3d> points;
   std::vector<int> vertices;  ///< Those on the hull.
-  std::vector<gjkscope::Polyhedron::Edge>
-      edges;                             ///< Its faces are -1 where all points are on a line.
-  std::vector<Face> faces;               ///< Of a flat body two, back to back.
+  /// Faces beside them are -1 where all points are on a line.
+  std::vector<gjkscope::Polyhedron::Edge> edges;
+  std::vector<Face> faces;               ///< A flat body has two, back to back.
   std::vector<std::vector<int>> spokes;  ///< For each point the edges that end there, in order.
 };
 /// The body of at least one finite point: a point, a segment, a polygon or a polyhedron. Exact.
@@ -110,9 +110,9 @@ struct State {
 
 /// One look whether a point lies beyond a border of a feature.
 struct Test {
-  Reason border = Reason::none;  ///< What crossing it is called.
+  Reason border = Reason::none;  ///< The reason of a swap over it.
   bool of_x = true;              ///< The border is of X's feature, the point Y's.
-  Feature beyond;                ///< What the border leads to; for `behind_face` the face itself.
+  Feature beyond;                ///< The feature beyond it; for `behind_face` the face itself.
   int side = 0;                  ///< 1 beyond the border, 0 on it, -1 within.
 };
 
@@ -128,7 +128,7 @@ struct Record {
   std::vector<Test>
       tests;  ///< In order. Large vertices and faces are searched, so not all borders.
   std::optional<Clip> clip;
-  int faces_asked = 0;  ///< For `behind_face` and `inside`.
+  int faces_asked = 0;  ///< By a vertex behind a face.
 };
 
 /// The closest points of two features, in double.
@@ -149,7 +149,7 @@ struct Step {
 
 struct Result {
   Stop stop = Stop::running;
-  Reason reason = Reason::none;  ///< Of an overlap.
+  Reason reason = Reason::none;  ///< The reason of an overlap.
   Feature x;                     ///< The start for the next time.
   Feature y;
   Points points;

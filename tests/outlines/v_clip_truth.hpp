@@ -141,7 +141,7 @@ struct Row {
   }
 };
 
-/// What is wrong with the end of a walk; empty if nothing is.
+/// The flaw of a walk's end; empty if it has none.
 inline std::string flaw_of(const Query& query, const v_clip::Result& result, Row& row) {
   constexpr double kMostError = 4.0;  // in roundings
   const auto gjk = gjk::distance<double>(gjk::Query<double, 3>{{query.x.points}, {query.y.points}});
@@ -184,7 +184,7 @@ inline bool starts_alone(Reason reason) {
   return reason == Reason::clip_empty || reason == Reason::two_faces;
 }
 
-/// What is wrong with the steps on the way; empty if nothing is.
+/// The flaw of the steps on the way; empty if they have none.
 inline std::string flaw_of(const v_clip::Trace& trace, Row& row) {
   std::set<std::pair<Feature, Feature>> seen = {{trace.start.x, trace.start.y}};
   double last = std::numeric_limits<double>::infinity();
@@ -194,7 +194,7 @@ inline std::string flaw_of(const v_clip::Trace& trace, Row& row) {
       reason = step.after.next.reason;
       if (reason == Reason::none) continue;
       ++row.reasons[static_cast<std::size_t>(reason)];
-      // Of what the start alone may do the first pair has no distance to fall from.
+      // There the first pair has no distance to fall from.
       if (starts_alone(reason) && seen.size() > 1) return "a rule of the start on the way";
       continue;
     }
