@@ -286,9 +286,11 @@ namespace {
 /// `points`: the hull of all has the edges of the hull of those before.
 std::array<int, 4> spanning(std::vector<Vector3d>& points) {
   const int count = static_cast<int>(points.size());
-  const int a = farthest(points, [&](const Vector3d& p) { return (p - points[0]).norm(); });
+  // Squares may underflow, and then the points would seem to be one.
+  const auto size_of = [](const Vector3d& v) { return std::hypot(v.x(), v.y(), v.z()); };
+  const int a = farthest(points, [&](const Vector3d& p) { return size_of(p - points[0]); });
   const Vector3d from = at(points, a);
-  const int b = farthest(points, [&](const Vector3d& p) { return (p - from).norm(); });
+  const int b = farthest(points, [&](const Vector3d& p) { return size_of(p - from); });
   const Vector3d edge = at(points, b) - from;
   const double reach = std::max({1.0, from.cwiseAbs().maxCoeff(), edge.norm()});
   std::array<Vector3d, 3> beside;
