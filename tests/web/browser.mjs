@@ -1,5 +1,5 @@
 // The pages in a real browser, by pointer, touch and keys. Each test is a claim; the first thing
-// that does not hold ends it. An action is tried on a phone, and on a laptop or a projector in turn, in
+// that does not hold ends it. An action is tried at one size, on a phone, a laptop or a projector in turn, in
 // themes that change from action to action; of claims about every page one lesson in sixteen is opened,
 // and of claims about windows or themes each lesson is tried in every second. With --all, an action is
 // tried at each size in each theme, and every page is opened, in every window and theme.
@@ -86,13 +86,14 @@ const claim = (name, body, alone = false) => tests.push({ name, body, alone });
 let actions = 0;
 /**
  * What a hand does: `body` gets how to open a page at a size and in a theme. Each action starts with
- * the next theme and takes the other of the larger sizes, so that over all actions all pairs are tried.
+ * the next theme, and takes a phone or one of the larger sizes in turn.
  */
 function action(name, body, { sizes = Object.keys(SIZES), alone = false } = {}) {
   const pairs = everything
     ? sizes.flatMap((size) => THEMES.map((theme) => [size, theme]))
     : sizes.filter((size) => size !== (actions % 2 ? "laptop" : "projector") || sizes.length === 1)
-      .map((size, i) => [size, THEMES[(i + (actions >> 1)) % THEMES.length]]);
+      .map((size, i) => [size, THEMES[(i + (actions >> 1)) % THEMES.length]])
+      .filter((_, i, both) => i === (actions >> 1) % both.length);
   ++actions;
   for (const [size, theme] of pairs)
     claim(`${size}, ${theme}: ${name}`, () => body((address, at = size) => open(address, at, { theme }), size, theme), alone);
@@ -1660,97 +1661,6 @@ claim("all themes are shown, and remembered", async () => {
   await close(page);
 });
 
-// Practice ----------------------------------------------------------------------------------------
-
-/** Answers all questions of the task with the choice of a number, from 1. */
-async function answerTask(page, number = 1) {
-  for (;;) {
-    const { question, practice } = await state(page);
-    if (practice.answered) return;
-    if (!question) await page.click("#step");
-    else if (question.pair) for (const list of await page.locator("#choices fieldset").all()) await list.locator("button").nth(number - 1).click();
-    else await page.locator("#choices button").nth(number - 1).click();
-    await rest(page);
-  }
-}
-
-action("practice gives task after task, and goes on where it was left", async (visit, size) => {
-  // Of files a browser that loads a page anew may forget what it keeps.
-  const server = await serve(site);
-  const page = await visit(`${server.address}practice.html#chapter=3&seed=7`, size);
-  const seen = new Set();
-  for (let i = 0; i < 4; ++i) {
-    const { practice, question, shapes } = await state(page);
-    assert.deepEqual([practice.chapter, practice.seed, practice.answers.length], [3, 7, i]);
-    assert.ok(question, "a task begins with its question");
-    assert.equal(await page.locator("#next-task").isVisible(), false);
-    await page.locator("body").press("n");
-    assert.equal((await state(page)).practice.answers.length, i, "an open question is not passed over");
-    seen.add(JSON.stringify(shapes));
-    await answerTask(page);
-    assert.ok(await page.locator("#verdict").isVisible(), "the verdict stays, though the figure is laid out anew");
-    if (i % 2) await page.click("#next-task");
-    else await page.locator("body").press("n");
-    await rest(page);
-  }
-  assert.equal(seen.size, 4, "each task has other shapes");
-  const { practice, shapes } = await state(page);
-  assert.match(await text(page, "so-far"), new RegExp(`^${practice.right} of 4 tasks right, ${practice.repeating} to repeat\\.`));
-  await page.reload();
-  await ready(page);
-  assert.deepEqual((await state(page)).shapes, shapes);
-  await page.evaluate(() => giveUp("Given up."));
-  await rest(page);
-  assert.deepEqual((await state(page)).shapes, shapes, "a program that was given up brings the task again");
-  await page.locator("#chapters button", { hasText: "9" }).click();
-  await rest(page);
-  assert.equal((await state(page)).practice.chapter, 9);
-  assert.match(page.url(), /#chapter=9&seed=\d+$/);
-  await page.goto(`${server.address}index.html`);
-  await page.locator("#memory a", { hasText: "Continue practice of chapter 3" }).click();
-  await ready(page);
-  assert.deepEqual((await state(page)).shapes, shapes);
-  await page.goto(`${server.address}index.html`);
-  await page.locator("#memory button", { hasText: "Forget" }).click();
-  assert.equal(await page.locator("#memory").isVisible(), false);
-  await close(page);
-  await server.close();
-});
-
-claim("a task whose shapes were changed is brought back, and links to practice say what is wrong with them", async () => {
-  const page = await open(url("practice", "#chapter=2&seed=1"));
-  const before = (await state(page)).shapes;
-  await page.evaluate(() => act({ do: "nudge", shape: "y", index: 0, right: 40, up: 0 }));
-  assert.notDeepEqual((await state(page)).shapes, before);
-  assert.match(await text(page, "so-far"), /Reset brings the task back/);
-  await page.click("#reset");
-  await rest(page);
-  assert.deepEqual((await state(page)).shapes, before);
-  assert.ok((await state(page)).question);
-  for (const [hash, problem] of [["chapter=7", /^chapter 7 has no practice; expected one of 1, 2, 3, 4, 5, 9$/], ["chapter=x", /^link: 'chapter' is x; expected a number/], ["chapter=2&seed=-1", /^link: 'seed' is -1; expected a number/]]) {
-    await page.evaluate((to) => { location.hash = to; }, hash);
-    await page.locator("#problem").filter({ hasText: "expected" }).waitFor();
-    assert.match(await text(page, "problem"), problem);
-    assert.deepEqual((await state(page)).shapes, before);
-    await page.evaluate(() => say(""));
-  }
-  await close(page);
-});
-
-claim("practice works where nothing can be kept, and its page says nothing of the answer", async () => {
-  const init = () => Object.defineProperty(window, "localStorage", { get() { throw new Error("no storage"); } });
-  const page = await open(url("practice", "#chapter=1&seed=3"), "laptop", { init });
-  const { question } = await state(page);
-  assert.ok(question);
-  assert.equal(await page.locator(".transcript").isVisible(), false);
-  assert.equal(await page.locator(".transcript li").count(), 0);
-  await answerTask(page, 2);
-  await page.click("#next-task");
-  await rest(page);
-  assert.equal((await state(page)).practice.answers.length, 1);
-  await close(page);
-});
-
 /** Milliseconds, sorted, from each of 200 moves of a vertex until the page has the picture of it. */
 async function timesOfADrag(address) {
   const page = await open(address);
@@ -1897,6 +1807,97 @@ if (shots) {
     }
   });
 }
+
+// Practice ----------------------------------------------------------------------------------------
+
+/** Answers all questions of the task with the choice of a number, from 1. */
+async function answerTask(page, number = 1) {
+  for (;;) {
+    const { question, practice } = await state(page);
+    if (practice.answered) return;
+    if (!question) await page.click("#step");
+    else if (question.pair) for (const list of await page.locator("#choices fieldset").all()) await list.locator("button").nth(number - 1).click();
+    else await page.locator("#choices button").nth(number - 1).click();
+    await rest(page);
+  }
+}
+
+action("practice gives task after task, and goes on where it was left", async (visit, size) => {
+  // Of files a browser that loads a page anew may forget what it keeps.
+  const server = await serve(site);
+  const page = await visit(`${server.address}practice.html#chapter=3&seed=7`, size);
+  const seen = new Set();
+  for (let i = 0; i < 4; ++i) {
+    const { practice, question, shapes } = await state(page);
+    assert.deepEqual([practice.chapter, practice.seed, practice.answers.length], [3, 7, i]);
+    assert.ok(question, "a task begins with its question");
+    assert.equal(await page.locator("#next-task").isVisible(), false);
+    await page.locator("body").press("n");
+    assert.equal((await state(page)).practice.answers.length, i, "an open question is not passed over");
+    seen.add(JSON.stringify(shapes));
+    await answerTask(page);
+    assert.ok(await page.locator("#verdict").isVisible(), "the verdict stays, though the figure is laid out anew");
+    if (i % 2) await page.click("#next-task");
+    else await page.locator("body").press("n");
+    await rest(page);
+  }
+  assert.equal(seen.size, 4, "each task has other shapes");
+  const { practice, shapes } = await state(page);
+  assert.match(await text(page, "so-far"), new RegExp(`^${practice.right} of 4 tasks right, ${practice.repeating} to repeat\\.`));
+  await page.reload();
+  await ready(page);
+  assert.deepEqual((await state(page)).shapes, shapes);
+  await page.evaluate(() => giveUp("Given up."));
+  await rest(page);
+  assert.deepEqual((await state(page)).shapes, shapes, "a program that was given up brings the task again");
+  await page.locator("#chapters button", { hasText: "9" }).click();
+  await rest(page);
+  assert.equal((await state(page)).practice.chapter, 9);
+  assert.match(page.url(), /#chapter=9&seed=\d+$/);
+  await page.goto(`${server.address}index.html`);
+  await page.locator("#memory a", { hasText: "Continue practice of chapter 3" }).click();
+  await ready(page);
+  assert.deepEqual((await state(page)).shapes, shapes);
+  await page.goto(`${server.address}index.html`);
+  await page.locator("#memory button", { hasText: "Forget" }).click();
+  assert.equal(await page.locator("#memory").isVisible(), false);
+  await close(page);
+  await server.close();
+});
+
+claim("a task whose shapes were changed is brought back, and links to practice say what is wrong with them", async () => {
+  const page = await open(url("practice", "#chapter=2&seed=1"));
+  const before = (await state(page)).shapes;
+  await page.evaluate(() => act({ do: "nudge", shape: "y", index: 0, right: 40, up: 0 }));
+  assert.notDeepEqual((await state(page)).shapes, before);
+  assert.match(await text(page, "so-far"), /Reset brings the task back/);
+  await page.click("#reset");
+  await rest(page);
+  assert.deepEqual((await state(page)).shapes, before);
+  assert.ok((await state(page)).question);
+  for (const [hash, problem] of [["chapter=7", /^chapter 7 has no practice; expected one of 1, 2, 3, 4, 5, 9$/], ["chapter=x", /^link: 'chapter' is x; expected a number/], ["chapter=2&seed=-1", /^link: 'seed' is -1; expected a number/]]) {
+    await page.evaluate((to) => { location.hash = to; }, hash);
+    await page.locator("#problem").filter({ hasText: "expected" }).waitFor();
+    assert.match(await text(page, "problem"), problem);
+    assert.deepEqual((await state(page)).shapes, before);
+    await page.evaluate(() => say(""));
+  }
+  await close(page);
+});
+
+claim("practice works where nothing can be kept, and its page says nothing of the answer", async () => {
+  const init = () => Object.defineProperty(window, "localStorage", { get() { throw new Error("no storage"); } });
+  const page = await open(url("practice", "#chapter=1&seed=3"), "laptop", { init });
+  const { question } = await state(page);
+  assert.ok(question);
+  assert.equal(await page.locator(".transcript").isVisible(), false);
+  assert.equal(await page.locator(".transcript li").count(), 0);
+  await answerTask(page, 2);
+  await page.click("#next-task");
+  await rest(page);
+  assert.equal((await state(page)).practice.answers.length, 1);
+  await close(page);
+});
 
 const wanted = tests.filter((test) => test.name.includes(only));
 async function check({ name, body }) {
