@@ -602,9 +602,9 @@ Result walk(const Query& query, State state) {
           state.y,    points_after(query, state), state.swaps + 1};
 }
 
-Trace trace(const Query& query, const State& start) {
-  Trace out{start, {}, {}};
-  State state = start;
+Trace trace(const Query& query, const State& from) {
+  Trace out{from, {}, {}};
+  State state = from;
   while (state.stop == Stop::running) {
     Step next;
     next.phase = state.phase;

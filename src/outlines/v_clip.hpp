@@ -171,7 +171,7 @@ void step(State& state, const Query& query, Record& record);
 /// The walk from `state`: O(1) pairs where its features are near the last ones.
 [[nodiscard]] Result walk(const Query& query, State state);
 /// The same, every phase recorded.
-[[nodiscard]] Trace trace(const Query& query, const State& state);
+[[nodiscard]] Trace trace(const Query& query, const State& from);
 
 /// The closest points of two features, whatever the rest of the bodies does.
 [[nodiscard]] Points closest_points(const Query& query, Feature x, Feature y);

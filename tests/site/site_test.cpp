@@ -120,13 +120,13 @@ TEST_F(Site, AnIndexLinksAllPages) {
   const std::vector<Lesson> lessons = {testing::shipped_lesson("segment-closest"),
                                        testing::shipped_lesson("stop-vertex")};
   const auto files = export_site(lessons, {out_, share_, true});
-  ASSERT_EQ(files.size(), 5u + 5u + 4u + 1u) << "pages, what they share, cards, a service worker";
+  ASSERT_EQ(files.size(), 6u + 5u + 4u + 1u) << "pages, what they share, cards, a service worker";
   for (const fs::path& file : files) EXPECT_TRUE(is_exported(file)) << file;
   EXPECT_NE(read_whole(out_ / "about.html").find("#define GJKSCOPE_B_MINUS_A &quot;b-a&quot;"),
             std::string::npos);
   const std::string index = read_whole(out_ / "index.html");
-  for (const char* link :
-       {"segment-closest.html", "stop-vertex.html", "playground.html", "about.html"})
+  for (const char* link : {"segment-closest.html", "stop-vertex.html", "playground.html",
+                           "practice.html", "about.html"})
     EXPECT_GE(count(index, "href=\"" + std::string(link) + "\""), 1u) << link;
   EXPECT_NE(
       read_whole(out_ / "segment-closest.html").find("class=\"next\" href=\"stop-vertex.html\""),
@@ -144,9 +144,9 @@ TEST_F(Site, PagesOfASiteShareWhatTheyHaveInCommon) {
   EXPECT_LT(page.size(), 90000u);
   const std::string worker = read_whole(out_ / "service-worker.js");
   for (const char* file :
-       {"index.html", "playground.html", "about.html", "segment-closest.html", "stop-vertex.html",
-        "shared/style.css?", "shared/head.js?", "shared/page.js?", "shared/program.js?",
-        "cards/stop-vertex.svg?", "cards/stop-vertex-dark.svg?"})
+       {"index.html", "playground.html", "practice.html", "about.html", "segment-closest.html",
+        "stop-vertex.html", "shared/style.css?", "shared/head.js?", "shared/page.js?",
+        "shared/program.js?", "cards/stop-vertex.svg?", "cards/stop-vertex-dark.svg?"})
     EXPECT_GE(count(worker, fmt::format("\"{}", file)), 1u) << file;
   // Other content has other addresses, and is another version.
   std::ofstream(share_ / "web" / "gjkscope.wasm.gz") << "ho";
@@ -162,8 +162,8 @@ TEST_F(Site, PagesOfASiteShareWhatTheyHaveInCommon) {
 TEST_F(Site, WithSingleEachPageOfASiteIsOneFile) {
   const auto files =
       export_site({testing::shipped_lesson("stop-vertex")}, {out_, share_, true, true});
-  EXPECT_EQ(files.size(), 4u);
-  EXPECT_EQ(std::distance(fs::directory_iterator(out_), {}), 4);
+  EXPECT_EQ(files.size(), 5u);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out_), {}), 5);
   for (const fs::path& file : files) {
     const std::string text = read_whole(file);
     EXPECT_EQ(count(text, "shared/"), 0u) << file;
@@ -241,9 +241,10 @@ TEST_F(Site, NothingIsWrittenWhereAnyPageIsSomebodyElses) {
   const std::vector<Lesson> lessons = {testing::shipped_lesson("segment-closest"),
                                        testing::shipped_lesson("stop-vertex")};
   fs::create_directories(out_);
-  for (const fs::path name : {"stop-vertex.html", "playground.html", "index.html", "about.html",
-                              "service-worker.js", "shared/style.css", "shared/program.js",
-                              "cards/stop-vertex.svg", "cards/stop-vertex-dark.svg"}) {
+  for (const fs::path name :
+       {"stop-vertex.html", "playground.html", "practice.html", "index.html", "about.html",
+        "service-worker.js", "shared/style.css", "shared/program.js", "cards/stop-vertex.svg",
+        "cards/stop-vertex-dark.svg"}) {
     SCOPED_TRACE(name);
     fs::create_directories((out_ / name).parent_path());
     std::ofstream(out_ / name) << "<p>My notes";
