@@ -126,21 +126,21 @@ Parts parts_of(const PointsInSpace& points, const Convex& by) {
   return out;
 }
 
-const std::vector<Facet>& parts_of(const Surface& surface) {
+const std::vector<Facet>& parts_of(const PaintedSurface& surface) {
   return surface.is_whole ? surface.shape->facets : surface.parts;
 }
 
 /// Surfaces and loose marks of which some lie behind a thing, and the rest.
 struct Pile {
-  std::vector<Surface> surfaces;
+  std::vector<PaintedSurface> surfaces;
   std::vector<LooseMark> loose;
 };
 
-void split(const Surface& surface, const Convex& by, Pile& behind, Pile& rest) {
-  Surface hidden = surface;
+void split(const PaintedSurface& surface, const Convex& by, Pile& behind, Pile& rest) {
+  PaintedSurface hidden = surface;
   hidden.is_whole = false;
   hidden.parts.clear();
-  Surface seen = hidden;
+  PaintedSurface seen = hidden;
   for (const Facet& facet : parts_of(surface)) {
     Parts parts = parts_of(facet.corners, by);
     if (parts.behind.empty()) {
@@ -177,7 +177,7 @@ void split(LooseMark mark, const Convex& by, std::vector<LooseMark>& behind,
 /// circle is left, and each part goes on its own.
 class Painter {
  public:
-  explicit Painter(const std::vector<Surface>& surfaces)
+  explicit Painter(const std::vector<PaintedSurface>& surfaces)
       : goes_before_(surfaces.size(), std::vector<bool>(surfaces.size(), false)) {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
       for (std::size_t k = i + 1; k < surfaces.size(); ++k) relate(surfaces[i], surfaces[k]);
@@ -191,10 +191,10 @@ class Painter {
       const auto chosen =
           is_clear ? next
                    : std::max_element(pile.surfaces.begin(), pile.surfaces.end(),
-                                      [](const Surface& a, const Surface& b) {
+                                      [](const PaintedSurface& a, const PaintedSurface& b) {
                                         return a.shape->facets.size() < b.shape->facets.size();
                                       });
-      const Surface surface = std::move(*chosen);
+      const PaintedSurface surface = std::move(*chosen);
       pile.surfaces.erase(chosen);
       Pile behind;
       Pile rest;
@@ -203,7 +203,8 @@ class Painter {
       if (is_clear) {
         rest.surfaces = std::move(pile.surfaces);
       } else {
-        for (const Surface& other : pile.surfaces) split(other, *surface.shape, behind, rest);
+        for (const PaintedSurface& other : pile.surfaces)
+          split(other, *surface.shape, behind, rest);
       }
       paint(std::move(behind));
       add(surface);
@@ -215,7 +216,7 @@ class Painter {
   std::vector<Mark> marks;
 
  private:
-  void relate(const Surface& first, const Surface& second) {
+  void relate(const PaintedSurface& first, const PaintedSurface& second) {
     for (const Facet& facet : second.shape->facets) {
       const Parts parts = parts_of(facet.corners, *first.shape);
       if (parts.has_before) goes_before_[first.index][second.index] = true;
@@ -225,12 +226,12 @@ class Painter {
 
   /// The first that no other has to be painted before; none where there are parts, of which less
   /// is known.
-  std::vector<Surface>::iterator next_of(std::vector<Surface>& surfaces) const {
-    const bool are_whole =
-        std::all_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.is_whole; });
+  std::vector<PaintedSurface>::iterator next_of(std::vector<PaintedSurface>& surfaces) const {
+    const bool are_whole = std::all_of(surfaces.begin(), surfaces.end(),
+                                       [](const PaintedSurface& s) { return s.is_whole; });
     if (!are_whole) return surfaces.end();
-    return std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& surface) {
-      return std::none_of(surfaces.begin(), surfaces.end(), [&](const Surface& other) {
+    return std::find_if(surfaces.begin(), surfaces.end(), [&](const PaintedSurface& surface) {
+      return std::none_of(surfaces.begin(), surfaces.end(), [&](const PaintedSurface& other) {
         return goes_before_[other.index][surface.index];
       });
     });
@@ -245,7 +246,7 @@ class Painter {
       marks.push_back({role, Polygon{std::move(seen)}, -1, subject});
   }
 
-  void add(const Surface& surface) {
+  void add(const PaintedSurface& surface) {
     for (const Facet& facet : parts_of(surface)) {
       if (facet.is_shaded) add(surface.shade, facet.corners, {});
       if (!surface.is_whole) add(surface.fill, facet.corners, surface.subject);
@@ -264,9 +265,10 @@ class Painter {
 
 }  // namespace
 
-std::vector<Mark> in_order_of_depth(std::vector<Surface> surfaces, std::vector<LooseMark> loose) {
+std::vector<Mark> in_order_of_depth(std::vector<PaintedSurface> surfaces,
+                                    std::vector<LooseMark> loose) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i].index = i;
-  for (const Surface& surface : surfaces) {
+  for (const PaintedSurface& surface : surfaces) {
     if (!surface.is_opaque) continue;
     std::vector<LooseMark> hidden;
     std::vector<LooseMark> seen;

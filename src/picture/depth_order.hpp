@@ -36,7 +36,7 @@ struct Convex {
 };
 
 /// The filled areas of something convex.
-struct Surface {
+struct PaintedSurface {
   std::string fill;
   std::string shade;  ///< The role of facets that are shaded, beside their fill.
   std::shared_ptr<const Convex> shape;
@@ -57,7 +57,7 @@ struct LooseMark {
 };
 
 /// Surfaces that touch keep the order in which they come.
-[[nodiscard]] std::vector<Mark> in_order_of_depth(std::vector<Surface> surfaces,
+[[nodiscard]] std::vector<Mark> in_order_of_depth(std::vector<PaintedSurface> surfaces,
                                                   std::vector<LooseMark> loose);
 
 }  // namespace gjkscope

@@ -85,8 +85,8 @@ class StageMap {
 /// The drawing on a stage at one frame, labels not yet placed.
 struct Scene {
   std::vector<Mark> marks;
-  std::vector<Surface> surfaces;       ///< Areas of space, until they are marks.
-  std::vector<LooseMark> loose_marks;  ///< The same.
+  std::vector<PaintedSurface> surfaces;  ///< Areas of space, until they are marks.
+  std::vector<LooseMark> loose_marks;    ///< The same.
   std::vector<LabelRequest>
       fixed_labels;  ///< For things that do not move: one place for the whole lesson.
   std::vector<LabelRequest> moving_labels;

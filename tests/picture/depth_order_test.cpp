@@ -71,7 +71,7 @@ class RandomScene {
   /// Surfaces one by one, as they come.
   [[nodiscard]] std::vector<Mark> marks_as_they_come() const {
     std::vector<Mark> out;
-    for (const Surface& surface : scene_.out.surfaces)
+    for (const PaintedSurface& surface : scene_.out.surfaces)
       out.push_back({surface.fill, Polygon{surface.shape->outline}});
     return out;
   }
