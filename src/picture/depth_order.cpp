@@ -29,8 +29,8 @@ Convex::Convex(std::vector<Facet> faces, const PointsInSpace& points)
     widest = std::max(widest, facet.box.sizes().x());
   }
   const auto left = [](const Facet& facet) { return facet.box.min().x(); };
-  std::sort(facets.begin(), facets.end(),
-            [&](const Facet& a, const Facet& b) { return left(a) < left(b); });
+  std::stable_sort(facets.begin(), facets.end(),
+                   [&](const Facet& a, const Facet& b) { return left(a) < left(b); });
   std::vector<Point> seen;
   nearest = -std::numeric_limits<double>::infinity();
   for (const Vector3d& point : points) {

@@ -1279,6 +1279,7 @@ claim("a page that was cut off, that lacks what its site shares, or has no scrip
 claim("only lessons that have questions offer them", async () => {
   const program = await startProgram();
   const wrong = opened.filter((name) => {
+    if (name === "practice.html") return false;  // it asks by itself
     const page = readFileSync(join(site, name), "utf8");
     const told = page.match(/<script type="application\/json" id="data">(.*?)<\/script>/s);
     if (!told) return false;
@@ -1500,7 +1501,8 @@ for (const half of [0, 1]) {
       if (await page.locator("#wasm").count()) {
         await pressToTheEnd(page);
         const [at, all] = await count(page);
-        assert.equal(at, all, name);
+        if (name === "practice.html") assert.ok(await page.evaluate(() => state.question), "nobody steps past its question");
+        else assert.equal(at, all, name);
         if (shots) await page.screenshot({ path: join(shots, `${name}-end.png`) });
       }
       for (const [size, viewport] of Object.entries(SIZES)) {
