@@ -194,7 +194,7 @@ class App {
   };
   /// A chapter's; without one, all.
   [[nodiscard]] Progress progress(std::optional<int> chapter = std::nullopt) const;
-  /// Where practice of a chapter was left; it is kept for the next start.
+  /// The place where practice of a chapter was left; it is kept for the next start.
   [[nodiscard]] Memory::Practised& practised(int chapter) { return memory_.practised[chapter]; }
 
   /// At the step that an exported file shows.

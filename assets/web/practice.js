@@ -13,7 +13,7 @@ function wantedPractice({ chapter, seed } = {}) {
   return { chapter: wanted, seed: from, answers: known?.seed === from ? known.answers : [] };
 }
 
-/** What a link says of practice. */
+/** The practice that a link names. */
 function followPractice(parts) {
   const number = (name) => {
     if (!parts.has(name)) return undefined;

@@ -33,7 +33,7 @@ class Practice {
   }
   [[nodiscard]] int chapter() const { return kinds_.front().chapter; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
-  /// Of each task whether it was answered rightly.
+  /// True for each task that was answered rightly.
   [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
   [[nodiscard]] int right() const {
     return static_cast<int>(std::count(answers_.begin(), answers_.end(), true));

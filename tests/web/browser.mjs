@@ -1825,7 +1825,7 @@ async function answerTask(page, number = 1) {
 }
 
 action("practice gives task after task, and goes on where it was left", async (visit, size) => {
-  // Of files a browser that loads a page anew may forget what it keeps.
+  // A browser that loads a file anew may forget what it keeps; of a served page it does not.
   const server = await serve(site);
   const page = await visit(`${server.address}practice.html#chapter=3&seed=7`, size);
   const seen = new Set();
