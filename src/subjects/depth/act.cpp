@@ -88,7 +88,7 @@ namespace {
 
 constexpr std::array kAsks = {kAskEdge, kAskFace, kAskVisible, kAskBeyond, asks::kSupport};
 
-/// Of all values one alone is the least, as far as a reader can see.
+/// One value alone is the least, as far as a reader can see.
 bool is_told_apart(const std::vector<double>& values) {
   constexpr double kSeen = 1e-3;
   const auto [least, most] = std::minmax_element(values.begin(), values.end());

@@ -20,7 +20,7 @@ using fields::line;
 using fields::number;
 using fields::point;
 
-/// Of a run in the plane or in space.
+/// Writes a run in the plane or in space.
 template <class Trace>
 class JsonWriter {
  public:

@@ -82,7 +82,7 @@ class TellingOf {
                                      x(), y(), number(upper));
   }
 
-  /// Where the run has ended.
+  /// The run has ended.
   void stop() {
     switch (state_.stop) {
       case StopReason::repeated_support:
