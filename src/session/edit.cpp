@@ -331,6 +331,7 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   lesson.until.reset();
   lesson.phases.clear();
   lesson.questions.clear();
+  lesson.expect.answers.clear();
   lesson.table = {};
   for (LessonShape& shape : lesson.bodies) {
     if (!act.needs.takes_radius) shape.radius = 0.0;
