@@ -38,7 +38,7 @@ std::string nearest_spot(const FrameQuestion& question, const LessonPictures::Sh
     // A vertex goes before its edges.
     if (is_point && away < kReach) away = 0.0;
     if (!is_point || spot->reach > 0.0) away = std::max(away, 0.0) + 1.0;
-    // Of several that are meant the one whose middle is nearest.
+    // If several are meant, the one whose middle is nearest counts.
     constexpr double kLess = 1e-3;  // than what tells vertices from edges
     away += kLess * from_middle;
     if (away >= nearest) continue;
