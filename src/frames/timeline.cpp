@@ -26,8 +26,8 @@ std::vector<Group> timeline_groups(const LessonRun& run) {
       tick = act.tick(run, frame);
     } else {
       // A question belongs to the group of its answer, unless that would tell it.
-      tick = {.group = run.act->follows_run
-                           ? fmt::format("iteration {}", run.answering_iteration(frame))
+      const Frame answer{.run = frame.run, .step = frame.answering_step};
+      tick = {.group = run.act->follows_run         ? act.tick(run, answer).group
                        : run.act->asking != nullptr ? std::string("next")
                                                     : groups.back().label,
               .label = "question",

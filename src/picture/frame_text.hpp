@@ -20,8 +20,8 @@ struct VertexChoice {
 
 /// A place to point at for a choice: a point of a view, or a segment.
 struct Spot {
-  Spot(ViewKind of, const Eigen::Vector3d& begin, const Eigen::Vector3d& end)
-      : view(of), from(begin), to(end) {}
+  Spot(ViewKind of, const Eigen::Vector3d& begin, const Eigen::Vector3d& end, double around = 0.0)
+      : view(of), from(begin), to(end), reach(around) {}
   Spot(ViewKind of, const Eigen::Vector2d& begin, const Eigen::Vector2d& end, double around = 0.0)
       : view(of), from(in_space(begin)), to(in_space(end)), reach(around) {}
   ViewKind view;

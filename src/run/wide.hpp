@@ -45,5 +45,6 @@ struct WideTrace {
 [[nodiscard]] inline WideVertex in_space(const gjk::SupportPoint<double, 2>& v) {
   return {in_space(v.w), v.pair};
 }
+[[nodiscard]] inline const WideVertex& in_space(const WideVertex& v) { return v; }
 
 }  // namespace gjkscope

@@ -322,7 +322,8 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   lesson.act = act.name;
   lesson.panel = {std::string(blocks::kPseudocode.name)};
   for (const Block* block : registered_blocks()) {
-    if (block->act == lesson.act) lesson.panel.emplace_back(block->name);
+    if (block->act == lesson.act && is_shown_of(block->shown_of, lesson.dimension))
+      lesson.panel.emplace_back(block->name);
   }
   for (const Listing* listing : registered_listings()) {
     if (listing->act == lesson.act) lesson.listing = listing->name;
@@ -330,6 +331,7 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   lesson.until.reset();
   lesson.phases.clear();
   lesson.questions.clear();
+  lesson.expect.answers.clear();
   lesson.table = {};
   for (LessonShape& shape : lesson.bodies) {
     if (!act.needs.takes_radius) shape.radius = 0.0;

@@ -33,11 +33,14 @@ std::string nearest_spot(const FrameQuestion& question, const LessonPictures::Sh
     const std::optional<Spot>& spot = question.spots[i];
     if (!spot || spot->view != shown.kind) continue;
     const bool is_point = spot->from == spot->to;
-    double away =
-        segment_distance(page, map(spot->from), map(spot->to)) - spot->reach * map.scale();
+    const double from_middle = segment_distance(page, map(spot->from), map(spot->to));
+    double away = from_middle - spot->reach * map.scale();
     // A vertex goes before its edges.
     if (is_point && away < kReach) away = 0.0;
     if (!is_point || spot->reach > 0.0) away = std::max(away, 0.0) + 1.0;
+    // If several are meant, the one whose middle is nearest counts.
+    constexpr double kLess = 1e-3;  // than what tells vertices from edges
+    away += kLess * from_middle;
     if (away >= nearest) continue;
     nearest = away;
     chosen = question.choices[i];

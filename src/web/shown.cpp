@@ -116,11 +116,12 @@ Json outcome(Session& session) {
   list.push_back(number("upper bound", result.upper));
   add_point(list, "closest point of " + run.lesson.x().name, result.x, run.lesson.dimension);
   add_point(list, "closest point of " + run.lesson.y().name, result.y, run.lesson.dimension);
-  if (const depth::Result<double>* depth = depth_on_overlap(session.effects(), run, frame)) {
+  if (const DepthResult* depth = depth_on_overlap(session.effects(), run, frame)) {
     list.push_back(number("penetration depth", depth->depth));
     list.push_back(number("its lower bound", depth->lower));
     list.push_back(number("its upper bound", depth->upper));
-    add_point(list, "shortest way out of " + run.lesson.x().name, in_space(depth->translation), 2);
+    add_point(list, "shortest way out of " + run.lesson.x().name, depth->translation,
+              run.lesson.dimension);
   }
   for (const auto& [name, value] : {std::pair("verdict", std::string(name_of(result.verdict))),
                                     {"stop", std::string(name_of(result.stop))},
@@ -210,7 +211,7 @@ void Player::draw_depth(Picture& picture) {
   const LessonPictures::ShownView view = session_.views().front();
   const LessonRun& run = session_.run();
   if (view.kind != ViewKind::world) return;
-  const depth::Result<double>* depth = depth_on_overlap(session_.effects(), run, session_.frame());
+  const DepthResult* depth = depth_on_overlap(session_.effects(), run, session_.frame());
   if (depth == nullptr) return;
   const StageMap map(view.card, view.camera);
   const Point from = map(depth->x);

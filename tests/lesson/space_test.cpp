@@ -99,7 +99,8 @@ TEST(LessonInSpace, WhatIsWrongIsSaidWithItsPlace) {
   says("azimuth = -40", "azimuth = 900", "azimuth");
   says("\"minkowski-hull\"", "\"shape-hull\"", "effect 'shape-hull' of shapes in space");
   says("\"bounds\"]", "\"areas\"]", "block 'areas' of shapes in space");
-  says("[panel]", "[steps]\ngranularity = \"depth\"\n\n[panel]", "granularity 'depth' in space");
+  says("[panel]", "[steps]\ngranularity = \"pairs\"\n\n[panel]", "granularity 'pairs' in space");
+  says("\"bounds\"]", "\"depth-edges\"]", "block 'depth-edges' of shapes in space");
   const std::string two_runs =
       "[steps]\ngranularity = \"two-runs\"\n\n[second]\nmistake = \"wrong-sign\"\n\n[panel]";
   says("[panel]", two_runs, "a mistake in a loop in space");

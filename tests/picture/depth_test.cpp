@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <random>
 
 #include "frames/frame.hpp"
 #include "frames/stage.hpp"
@@ -130,6 +135,153 @@ TEST(DepthFrames, AreTheSameInEveryScalarThatHoldsTheShapes) {
     EXPECT_EQ(depth_trace(run, 0)->result.verdict, gjk::Verdict::touching);
     EXPECT_EQ(run.frames.size(), 10u) << "with a question";
   }
+}
+
+using Eigen::Vector3d;
+
+const std::vector<std::string> kLessonsInSpace = {"depth-in-space", "depth-boxes"};
+
+TEST(DepthFramesInSpace, GoThroughEveryStepAndEndWithTheAnswer) {
+  for (const std::string& id : kLessonsInSpace) {
+    SCOPED_TRACE(id);
+    Lesson lesson = testing::shipped_lesson(id);
+    lesson.questions.clear();
+    const LessonRun run = run_lesson(lesson);
+    const DepthTraceInSpace& trace = *depth_trace_in_space(run, 0);
+    EXPECT_EQ(depth_trace(run, 0), nullptr);
+    ASSERT_EQ(run.frames.size(), trace.steps.size() + 2);
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    double upper = HUGE_VAL;
+    for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+      const auto& step = trace.steps[i];
+      EXPECT_EQ(texts[i + 1].iteration, step.iteration);
+      EXPECT_EQ(value_of_text(texts[i + 1], "lower"), Numbers(lesson)(step.bounds.lower));
+      EXPECT_LE(step.bounds.lower, trace.result.upper);
+      if (!(step.bounds.upper >= 0.0)) continue;
+      EXPECT_GE(step.bounds.upper, trace.result.lower);
+      EXPECT_LE(step.bounds.upper, upper);
+      upper = step.bounds.upper;
+    }
+    EXPECT_EQ(value_of_text(texts.back(), "depth"),
+              Numbers(lesson)(lesson.expect.answers.at(0).second));
+  }
+}
+
+/// Beyond the plane of a face, counter-clockwise seen from outside.
+bool lies_beyond(const depth::space::State<double>& state, int face, const Vector3d& p) {
+  const auto& of = state.polytope.faces[static_cast<std::size_t>(face)];
+  const Vector3d& a = state.polytope.at(of, 0);
+  return (state.polytope.at(of, 1) - a).cross(state.polytope.at(of, 2) - a).dot(p - a) > 1e-9;
+}
+
+TEST(DepthFramesInSpace, DropTheFacesThatTheSupportPointLiesBeyond) {
+  int expansions = 0;
+  for (const std::string& id : kLessonsInSpace) {
+    SCOPED_TRACE(id);
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    const DepthTraceInSpace& trace = *depth_trace_in_space(run, 0);
+    for (std::size_t i = 0; i + 1 < trace.steps.size(); ++i) {
+      if (trace.steps[i + 1].phase != depth::Phase::expand) continue;
+      ++expansions;
+      const auto& before = trace.steps[i].after;
+      const auto& gone = trace.steps[i + 1].record.outgrown;
+      for (std::size_t face = 0; face < before.polytope.faces.size(); ++face) {
+        if (before.polytope.faces[face].is_outgrown) continue;
+        const bool is_gone =
+            std::find(gone.begin(), gone.end(), static_cast<int>(face)) != gone.end();
+        EXPECT_EQ(is_gone, lies_beyond(before, static_cast<int>(face), before.support.w));
+      }
+    }
+  }
+  EXPECT_GE(expansions, 4);
+}
+
+TEST(DepthFramesInSpace, AskForFacesBeforeTheyAreTold) {
+  int nearest = 0;
+  int visible = 0;
+  for (const std::string& id : kLessonsInSpace) {
+    SCOPED_TRACE(id);
+    const LessonRun run = run_lesson(testing::shipped_lesson(id));
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const DepthTraceInSpace& trace = *depth_trace_in_space(run, 0);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (!texts[i].question || run.frames[i].answering_step < 0) continue;
+      const FrameQuestion& question = *texts[i].question;
+      const auto& state = trace.steps[static_cast<std::size_t>(run.frames[i].answering_step)].after;
+      const auto face_of = [&](const std::string& name) {
+        int face = 0;
+        while (face_name(trace, face) != name) ++face;
+        return face;
+      };
+      if (question.ask == "face") {
+        ++nearest;
+        EXPECT_EQ(question.answer, value_of_text(texts[i + 1], "face"));
+        EXPECT_NE(value_of_text(texts[i], "face"), question.answer) << "told too early";
+        const auto& faces = state.polytope.faces;
+        for (const std::string& choice : question.choices)
+          EXPECT_GE(faces[static_cast<std::size_t>(face_of(choice))].distance_sq,
+                    faces[static_cast<std::size_t>(state.face)].distance_sq);
+      } else if (question.ask == "visible-face") {
+        ++visible;
+        for (const std::string& choice : question.choices)
+          EXPECT_EQ(choice == question.answer,
+                    lies_beyond(state, face_of(choice), state.support.w));
+      }
+    }
+  }
+  EXPECT_GE(nearest, 1);
+  EXPECT_GE(visible, 2);
+}
+
+TEST(DepthFramesInSpace, TouchingInAFaceAnEdgeAndAVertexHasDepthZeroExactly) {
+  Lesson lesson = testing::shipped_lesson("depth-touching-in-space");
+  for (const ScalarKind scalar : {ScalarKind::double_, ScalarKind::exact}) {
+    lesson.scalar = scalar;
+    const LessonRun run = run_lesson(lesson);
+    ASSERT_EQ(run.runs.size(), 3u);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(run.runs[static_cast<std::size_t>(i)].trace.result.simplex.count, 3 - i);
+      EXPECT_EQ(depth_result(run, i)->depth, 0.0);
+      EXPECT_EQ(depth_result(run, i)->verdict, gjk::Verdict::touching);
+    }
+  }
+}
+
+TEST(DepthFramesInSpace, HaveWordsAndPicturesForAnyShapes) {
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  std::mt19937 bits(7);
+  const auto lattice = [&](int most) {
+    return static_cast<double>(bits() % static_cast<unsigned>(2 * most + 1)) - most;
+  };
+  std::map<std::string, int> seen;
+  for (int round = 0; round < 60; ++round) {
+    Lesson lesson = testing::shipped_lesson("depth-in-space");
+    lesson.questions.clear();
+    lesson.options.start = {};
+    lesson.scalar = round % 3 == 0 ? ScalarKind::exact : ScalarKind::double_;
+    for (std::size_t body = 0; body < 2; ++body) {
+      LessonShape& shape = lesson.bodies[body];
+      // Often flat, on a line or a single point, and often the same point twice.
+      const int most_z = round % 4 == 1 ? 0 : 2;
+      shape.vertices.clear();
+      shape.vertex_names.clear();
+      for (int i = 0; i < 1 + (round + static_cast<int>(body)) % 6; ++i) {
+        const double x = lattice(2);
+        const double y = lattice(2);
+        shape.vertices.emplace_back(x, y, lattice(most_z));
+        shape.vertex_names.push_back((body == 0 ? "x" : "y") + std::to_string(i));
+      }
+    }
+    const LessonRun run = run_lesson(std::move(lesson));
+    ++seen[std::string(name_of(depth_result(run, 0)->verdict))];
+    EffectGraph effects(run);
+    for (const FramePicture& frame : lesson_pictures(run, effects, fonts))
+      EXPECT_FALSE(frame.text.caption.empty());
+  }
+  for (const char* verdict : {"separated", "touching", "overlapping"})
+    EXPECT_GT(seen[verdict], 2) << verdict;
 }
 
 }  // namespace depth_test

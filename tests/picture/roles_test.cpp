@@ -25,10 +25,10 @@ const std::filesystem::path kAssets = std::filesystem::path(GJKSCOPE_SOURCE_DIR)
 
 /// Roles of marks for points: a frame is about these.
 const std::set<std::string, std::less<>> kPoints = {
-    "simplex.vertex", "support.vertex", "closest",        "query",          "origin",
-    "dropped",        "shape.vertex",   "shape.x.vertex", "shape.y.vertex", "polygon.vertex",
-    "cloud.touched",  "tree.current",   "tree.waiting",   "tree.visited",   "tree.ahead",
-    "tree.cut",       "tree.off",       "tree.better"};
+    "simplex.vertex",  "support.vertex", "closest",        "query",          "origin",
+    "dropped",         "shape.vertex",   "shape.x.vertex", "shape.y.vertex", "polygon.vertex",
+    "polytope.vertex", "cloud.touched",  "tree.current",   "tree.waiting",   "tree.visited",
+    "tree.ahead",      "tree.cut",       "tree.off",       "tree.better"};
 
 using Rgb = Eigen::Vector3d;
 

@@ -226,10 +226,10 @@ TEST(Edit, TheNearestEdgeIsFoundByDistance) {
   EXPECT_FALSE(edit::nearest_edge({{0, 0}}, {{0, 1}}, {1, 1}));
 }
 
-TEST(Edit, EveryLessonOfGjkCanBeToldByTheExpandingPolygon) {
+TEST(Edit, EveryLessonOfGjkCanBeToldByTheExpandingPolygonOrPolytope) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
-    if (run_lesson(lesson).act->algorithm->takes_outlines || lesson.dimension == 3) continue;
+    if (run_lesson(lesson).act->algorithm->takes_outlines) continue;
     const Lesson told = edit::told_by(lesson, kDepthAlgorithm);
     const LoadedLesson read = parse_lesson(lesson_toml(told), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);

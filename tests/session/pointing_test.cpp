@@ -62,6 +62,15 @@ TEST_F(Pointing, ARegionOfATriangleIsWhereOneClicks) {
             words.face(static_cast<gjk::Face>(gjk::face_of(1) | gjk::face_of(2))));
 }
 
+TEST_F(Pointing, InSpaceAFaceOfThePolytopeIsWhereOneClicks) {
+  open("depth-in-space", "face");
+  const FrameQuestion asked = *session.question();
+  ASSERT_EQ(asked.spots.size(), asked.choices.size());
+  for (std::size_t i = 0; i < asked.choices.size(); ++i)
+    EXPECT_EQ(chosen_at(on_page(asked.spots[i]->from, 1)), asked.choices[i]);
+  EXPECT_EQ(chosen_at(on_page({9.0, 9.0, 9.0}, 1)), "");
+}
+
 TEST_F(Pointing, InSpaceARegionIsPointedAtByItsVertexEdgeOrFace) {
   open("tetrahedron-regions", "region");
   const WideSimplex& simplex = session.run().state(session.frame()).simplex;

@@ -148,9 +148,13 @@ TEST_F(SpaceTest, CasesOfEitherDimensionTakeItsPlace) {
   EXPECT_EQ(session.lesson().dimension, 2);
   EXPECT_FALSE(session.eye());
   // A lesson of the plane that shows what space has not.
-  ASSERT_TRUE(session.open(shipped_lesson("penetration-depth"), "other.toml"));
+  ASSERT_TRUE(session.open(shipped_lesson("minkowski-build"), "other.toml"));
   ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), space))) << session.problem();
   EXPECT_EQ(session.lesson().act, "phase");
+  // One that shows what both have.
+  ASSERT_TRUE(session.open(shipped_lesson("penetration-depth"), "depth.toml"));
+  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), space))) << session.problem();
+  EXPECT_EQ(session.lesson().act, "depth");
 }
 
 }  // namespace space_hand_test

@@ -84,22 +84,27 @@ std::vector<NamedValue> values_now(App& app) {
   text("verdict in the end", std::string(name_of(result.verdict)));
   text("decided by", result.settled ? "exact arithmetic" : "the run itself");
   text("iterations", std::to_string(result.iterations));
-  const depth::Result<double>* deep = depth_on_overlap(app.session().effects(), run, frame);
+  const DepthResult* deep = depth_on_overlap(app.session().effects(), run, frame);
   if (deep != nullptr) {
     value("penetration depth", deep->depth);
     value("its lower bound", deep->lower);
     value("its upper bound", deep->upper);
-    point("shortest way out of X", in_space(deep->translation));
+    point("shortest way out of X", deep->translation);
   }
   return values;
 }
 
 void show_depth(App& app) {
   Lesson lesson = edit::told_by(app.session().lesson(), kDepthAlgorithm);
-  lesson.title = "Penetration depth: a polygon expands until its nearest edge lies on Z";
-  lesson.prose =
-      "GJK has found that the shapes overlap. From its last simplex a polygon grows inside Z. When "
-      "its nearest edge lies on Z's boundary, the way there is the shortest one out.";
+  const bool in_space = lesson.dimension == 3;
+  const char* polygon = in_space ? "polytope" : "polygon";
+  const char* edge = in_space ? "face" : "edge";
+  lesson.title =
+      fmt::format("Penetration depth: a {} expands until its nearest {} lies on Z", polygon, edge);
+  lesson.prose = fmt::format(
+      "GJK has found that the shapes overlap. From its last simplex a {} grows inside Z. When its "
+      "nearest {} lies on Z's boundary, the way there is the shortest one out.",
+      polygon, edge);
   lesson.source = "van den Bergen 2001";
   app.edit("penetration depth", std::move(lesson));
 }

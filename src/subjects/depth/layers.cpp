@@ -63,7 +63,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     scene.support_line(scene.at(shown.state.support.w), in_space(shown.state.n));
   polygon(scene, shown);
   if (shown.is_answer) {
-    const Vector2d t = shown.trace.result.translation;
+    const Vector2d t = in_plane(shown.result.translation);
     const Point o = scene.at(Vector2d::Zero());
     const Point end = scene.at(t);
     if ((end - o).norm() > kOriginRadius) {
@@ -74,15 +74,15 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     label_at(scene, "t", end, kPointRadius, end - o, "closest.label");
     return;
   }
-  if (shown.knows_edge()) nearest(scene, shown);
+  if (shown.knows_nearest()) nearest(scene, shown);
   if (shown.knows_support()) scene.simplex_vertex(in_space(shown.state.support), "support");
 }
 
 void in_world(SceneBuilder& scene, const Shown& shown) {
   if (shown.is_answer) {
-    const depth::Result<double>& result = shown.trace.result;
+    const DepthResult& result = shown.result;
     std::vector<Point> moved;
-    for (const Vector2d& vertex : in_plane(scene.positioned.x().world))
+    for (const Eigen::Vector3d& vertex : scene.positioned.x().world)
       moved.push_back(scene.at(vertex + result.translation));
     if (moved.size() > 1) scene.add("depth.moved", Polyline{moved, moved.size() > 2});
     scene.passing_outline(moved);
@@ -97,7 +97,7 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
     scene.disk("closest", y, kClosestRadius);
     return;
   }
-  if (shown.knows_edge() && !shown.knows_support()) {
+  if (shown.knows_nearest() && !shown.knows_support()) {
     for (const int end : {shown.state.edge.from, shown.state.edge.to}) {
       scene.simplex_vertex(
           in_space(shown.state.polygon.corners[static_cast<std::size_t>(end)].point), "polygon");

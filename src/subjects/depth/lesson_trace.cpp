@@ -20,16 +20,19 @@ using fields::line;
 using fields::number;
 using fields::point;
 
+/// Writes a run in the plane or in space.
+template <class Trace>
 class JsonWriter {
  public:
-  JsonWriter(const Lesson& lesson, const PositionedRun& run) : lesson_(lesson), run_(run) {}
+  JsonWriter(const Lesson& lesson, const PositionedRun& run, const Trace& trace)
+      : lesson_(lesson), run_(run), trace_(trace) {}
 
-  [[nodiscard]] Json write(const DepthTrace& trace) const {
+  [[nodiscard]] Json write() const {
     Json out;
-    out["initial"] = state(trace.initial);
+    out["initial"] = state(trace_.initial);
     out["steps"] = Json::array();
-    for (const depth::Step<double>& each : trace.steps) out["steps"].push_back(step(each));
-    const depth::Result<double>& result = trace.result;
+    for (const auto& each : trace_.steps) out["steps"].push_back(step(each));
+    const auto& result = trace_.result;
     Json& answer = out["result"];
     answer["stop"] = name_of(result.stop);
     answer["verdict"] = name_of(result.verdict);
@@ -46,7 +49,8 @@ class JsonWriter {
   }
 
  private:
-  [[nodiscard]] Json vertex(const gjk::SupportPoint<double, 2>& value) const {
+  template <int D>
+  [[nodiscard]] Json vertex(const gjk::SupportPoint<double, D>& value) const {
     return fields::vertex(in_space(value),
                           pair_name(lesson_.x().vertex_names, lesson_.y().vertex_names, value.pair),
                           run_);
@@ -56,12 +60,7 @@ class JsonWriter {
     return {{"corners", {value.from, value.to}}, {"distance_sq", number(value.distance_sq)}};
   }
 
-  [[nodiscard]] Json state(const depth::State<double>& value) const {
-    Json out;
-    out["next_phase"] =
-        value.stop == depth::StopReason::running ? Json(name_of(value.phase)) : Json();
-    out["iteration"] = value.iteration;
-    out["corners"] = Json::array();
+  void add_shape(Json& out, const depth::State<double>& value) const {
     for (const depth::Corner<double>& corner : value.polygon.corners)
       out["corners"].push_back(vertex(corner.point));
     out["polygon"] = Json::array();
@@ -70,20 +69,56 @@ class JsonWriter {
         out["polygon"].push_back(each.from);
     }
     out["edge"] = edge(value.edge);
+  }
+  void add_shape(Json& out, const depth::space::State<double>& value) const {
+    for (const WideVertex& corner : value.polytope.corners)
+      out["corners"].push_back(vertex(corner));
+    out["faces"] = Json::array();
+    for (std::size_t i = 0; i < value.polytope.faces.size(); ++i) {
+      const depth::space::Face<double>& face = value.polytope.faces[i];
+      out["faces"].push_back({{"name", face_name(trace_, static_cast<int>(i))},
+                              {"corners", face.corners},
+                              {"distance_sq", number(face.distance_sq)},
+                              {"is_outgrown", face.is_outgrown}});
+    }
+    out["face"] = value.face;
+  }
+
+  [[nodiscard]] Json state(const auto& value) const {
+    Json out;
+    out["next_phase"] =
+        value.stop == depth::StopReason::running ? Json(name_of(value.phase)) : Json();
+    out["iteration"] = value.iteration;
+    out["corners"] = Json::array();
+    add_shape(out, value);
     out["n"] = point(value.n);
     out["stop"] = name_of(value.stop);
     return out;
   }
 
-  [[nodiscard]] Json step(const depth::Step<double>& step) const {
+  static void add_nearest(Json& out, const depth::Record<double>& record) {
+    out["edges"] = Json::array();
+    for (const depth::Edge<double>& each : record.edges) out["edges"].push_back(edge(each));
+  }
+  static void add_nearest(Json& out, const depth::space::Record<double>& record) {
+    out["measured"] = record.faces;
+  }
+  static void add_expansion(Json& out, const depth::Record<double>& record) {
+    out["outgrown"] = record.outgrown;
+  }
+  static void add_expansion(Json& out, const depth::space::Record<double>& record) {
+    out["outgrown"] = record.outgrown;
+    out["added"] = record.added;
+  }
+
+  [[nodiscard]] Json step(const auto& step) const {
     Json out;
     out["phase"] = name_of(step.phase);
     out["iteration"] = step.iteration;
-    const depth::Record<double>& record = step.record;
+    const auto& record = step.record;
     switch (step.phase) {
       case depth::Phase::nearest:
-        out["edges"] = Json::array();
-        for (const depth::Edge<double>& each : record.edges) out["edges"].push_back(edge(each));
+        add_nearest(out, record);
         break;
       case depth::Phase::support:
         out["scan_x"] = fields::scan(record.scan_x, lesson_.x().vertex_names);
@@ -101,7 +136,7 @@ class JsonWriter {
         }
         break;
       case depth::Phase::expand:
-        out["outgrown"] = record.outgrown;
+        add_expansion(out, record);
         break;
     }
     out["after"] = state(step.after);
@@ -112,6 +147,7 @@ class JsonWriter {
 
   const Lesson& lesson_;
   const PositionedRun& run_;
+  const Trace& trace_;
 };
 
 std::string text(const Json& document, const Json& trace) {
@@ -120,24 +156,39 @@ std::string text(const Json& document, const Json& trace) {
   const auto corner = [&](const Json& state, const Json& index) {
     return words(state["corners"][index.get<std::size_t>()]["name"]);
   };
-  const auto polygon = [&](const Json& state) {
+  const auto corners = [&](const Json& state, const Json& of) {
     std::vector<std::string> names;
-    for (const Json& index : state["polygon"]) names.push_back(corner(state, index));
+    for (const Json& index : of) names.push_back(corner(state, index));
+    return fmt::format("{}", fmt::join(names, " "));
+  };
+  const auto faces = [&](const Json& state, const Json& of) {
+    std::vector<std::string> names;
+    for (const Json& index : of)
+      names.push_back(words(state["faces"][index.get<std::size_t>()]["name"]));
     return fmt::format("{}", fmt::join(names, " "));
   };
   const Json& result = trace["result"];
   if (trace["steps"].empty()) return "\ndepth\n" + line("stop", words(result["stop"]));
-  std::string out = "\ndepth\n" + line("polygon", polygon(trace["initial"]));
+  const bool in_space = trace["initial"].contains("faces");
+  std::string out = "\ndepth\n";
+  if (!in_space) out += line("polygon", corners(trace["initial"], trace["initial"]["polygon"]));
+  for (std::size_t i = 0; in_space && i < trace["initial"]["faces"].size(); ++i) {
+    const Json& face = trace["initial"]["faces"][i];
+    if (!face["is_outgrown"].get<bool>())
+      out += line(words(face["name"]), corners(trace["initial"], face["corners"]));
+  }
   for (const Json& step : trace["steps"]) {
     const Json& after = step["after"];
     const std::string phase = words(step["phase"]);
     if (phase == "nearest") {
-      const Json& ends = after["edge"]["corners"];
+      const Json& nearest =
+          in_space ? after["faces"][after["face"].get<std::size_t>()] : after["edge"];
       out += fmt::format("\ndepth, iteration {}\n", step["iteration"].get<int>());
       out += line("nearest",
-                  fmt::format("{} {}, distance^2 = {}, n = {}", corner(after, ends[0]),
-                              corner(after, ends[1]), values.number(after["edge"]["distance_sq"]),
-                              values.point(after["n"])));
+                  fmt::format("{}{}, distance^2 = {}, n = {}",
+                              in_space ? words(nearest["name"]) + ": " : "",
+                              corners(after, nearest["corners"]),
+                              values.number(nearest["distance_sq"]), values.point(after["n"])));
     } else if (phase == "support") {
       const Json& support = step["support"];
       out += line("scan", values.scan(values.y, step["scan_y"], support["pair"][1]));
@@ -146,8 +197,14 @@ std::string text(const Json& document, const Json& trace) {
     } else if (phase == "stop") {
       for (const Json& test : step["stop_tests"]) out += line("stop?", values.stop_test(test));
       out += line("bounds", values.bounds(step));
+    } else if (in_space) {
+      out += line("outgrown", faces(after, step["outgrown"]));
+      for (const Json& index : step["added"]) {
+        const Json& face = after["faces"][index.get<std::size_t>()];
+        out += line(words(face["name"]), corners(after, face["corners"]));
+      }
     } else {
-      out += line("expand", "polygon " + polygon(after));
+      out += line("expand", "polygon " + corners(after, after["polygon"]));
     }
   }
   out += "\ndepth, result\n" + line("stop", words(result["stop"]));
@@ -159,34 +216,91 @@ std::string text(const Json& document, const Json& trace) {
   return out + line("on " + values.y, values.point(result["contact_y"]));
 }
 
+/// The result in space.
+DepthResult wide(const depth::Result<double>& result) {
+  DepthResult out;
+  out.error = result.error;
+  out.stop = result.stop;
+  out.verdict = result.verdict;
+  out.settled = result.settled;
+  out.depth = result.depth;
+  out.lower = result.lower;
+  out.upper = result.upper;
+  out.direction = in_space(result.direction);
+  out.translation = in_space(result.translation);
+  out.x = in_space(result.x);
+  out.y = in_space(result.y);
+  out.iterations = result.iterations;
+  return out;
+}
+const DepthResult& wide(const DepthResult& result) { return result; }
+
+/// A corner has been dropped, or more faces than the nearest.
+bool is_event(const depth::Record<double>& record) { return !record.outgrown.empty(); }
+bool is_event(const depth::space::Record<double>& record) { return record.outgrown.size() > 1; }
+
 class Told : public AlgorithmTrace {
  public:
-  explicit Told(DepthTrace trace) : trace_(std::move(trace)) {}
+  explicit Told(const DepthResult& result) : result_(result) {}
+  [[nodiscard]] const DepthResult& result() const { return result_; }
+  [[nodiscard]] double answer(std::string_view) const override { return result_.depth; }
 
-  [[nodiscard]] const DepthTrace& trace() const { return trace_; }
+ private:
+  DepthResult result_;
+};
+
+template <class Trace>
+class ToldOf final : public Told {
+ public:
+  explicit ToldOf(Trace trace) : Told(wide(trace.result)), trace_(std::move(trace)) {}
+
+  [[nodiscard]] const Trace& trace() const { return trace_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(trace_.steps.size()); }
   [[nodiscard]] StepInfo info(int step) const override {
-    const depth::Step<double>& shown = trace_.steps[static_cast<std::size_t>(step)];
+    const auto& shown = trace_.steps[static_cast<std::size_t>(step)];
     return {shown.iteration, name_of(shown.phase),
-            shown.after.stop != depth::StopReason::running || !shown.record.outgrown.empty()};
+            shown.after.stop != depth::StopReason::running || is_event(shown.record)};
   }
-  [[nodiscard]] double answer(std::string_view) const override { return trace_.result.depth; }
   [[nodiscard]] Json json(const Lesson& lesson, const PositionedRun& run) const override {
-    return JsonWriter(lesson, run).write(trace_);
+    return JsonWriter<Trace>(lesson, run, trace_).write();
   }
 
  private:
-  DepthTrace trace_;
+  Trace trace_;
 };
+
+template <class S, int D, class Trace>
+std::shared_ptr<const AlgorithmTrace> traced(const Lesson& lesson, const PositionedRun& run) {
+  return with_query_in<S, D>(lesson, placements_of(run), [&](const gjk::Query<S, D>& query) {
+    const gjk::Options options = started_as(run, lesson.options);
+    if constexpr (D == 3) {
+      return std::make_shared<const ToldOf<Trace>>(
+          widened_depth<S, D, Trace>(depth::space::trace<S>(query, options)));
+    } else {
+      return std::make_shared<const ToldOf<Trace>>(
+          widened_depth<S, D, Trace>(depth::trace<S>(query, options)));
+    }
+  });
+}
 
 std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const PositionedRun& run,
                                                 const AlgorithmTrace*) {
   return with_scalar(lesson.scalar, [&]<class S>(std::type_identity<S>) {
-    return with_query_in<S, 2>(lesson, placements_of(run), [&](const gjk::Query<S, 2>& query) {
-      return std::make_shared<const Told>(
-          widened(depth::trace<S>(query, started_as(run, lesson.options))));
-    });
+    return lesson.dimension == 3 ? traced<S, 3, DepthTraceInSpace>(lesson, run)
+                                 : traced<S, 2, DepthTrace>(lesson, run);
   });
+}
+
+const Told* told(const LessonRun& run, int index) {
+  if (run.act->algorithm != &kDepthAlgorithm) return nullptr;
+  return static_cast<const Told*>(run.algorithm_traces[static_cast<std::size_t>(index)].get());
+}
+
+template <class S, int D>
+DepthResult result_of(const PositionedRun& run, const gjk::Options& options) {
+  const std::vector<gjk::Vec<S, D>> x = narrowed_all<S, D>(run.x().world);
+  const std::vector<gjk::Vec<S, D>> y = narrowed_all<S, D>(run.y().world);
+  return wide(DepthWidener<S, D>(0)(depth::penetration<S>(gjk::Query<S, D>{{x}, {y}}, options)));
 }
 
 constexpr std::array<std::string_view, depth::kPhaseCount> kPhases = {
@@ -207,16 +321,34 @@ const Algorithm kDepthAlgorithm{.name = "depth",
                                 .text = text};
 
 const DepthTrace* depth_trace(const LessonRun& run, int index) {
-  if (run.act->algorithm != &kDepthAlgorithm) return nullptr;
-  return &static_cast<const Told&>(*run.algorithm_traces[static_cast<std::size_t>(index)]).trace();
+  const auto* found = dynamic_cast<const ToldOf<DepthTrace>*>(told(run, index));
+  return found == nullptr ? nullptr : &found->trace();
 }
 
-DepthTrace depth_of(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
+const DepthTraceInSpace* depth_trace_in_space(const LessonRun& run, int index) {
+  const auto* found = dynamic_cast<const ToldOf<DepthTraceInSpace>*>(told(run, index));
+  return found == nullptr ? nullptr : &found->trace();
+}
+
+const DepthResult* depth_result(const LessonRun& run, int index) {
+  const Told* found = told(run, index);
+  return found == nullptr ? nullptr : &found->result();
+}
+
+DepthResult depth_of(const PositionedRun& run, const gjk::Options& options, ScalarKind scalar) {
   return with_scalar(scalar, [&]<class S>(std::type_identity<S>) {
-    const std::vector<gjk::Vec<S, 2>> x = narrowed_all<S, 2>(run.x().world);
-    const std::vector<gjk::Vec<S, 2>> y = narrowed_all<S, 2>(run.y().world);
-    return widened(depth::trace<S>(gjk::Query<S, 2>{{x}, {y}}, options));
+    return run.trace.dimension == 3 ? result_of<S, 3>(run, options) : result_of<S, 2>(run, options);
   });
+}
+
+std::string face_name(const DepthTraceInSpace& trace, int face) {
+  const std::vector<depth::space::Face<double>>& first = trace.initial.polytope.faces;
+  const auto last = static_cast<std::size_t>(face);
+  if (last < first.size() && first[last].is_outgrown) return {};
+  int number = face + 1;
+  for (std::size_t i = 0; i < std::min(last, first.size()); ++i)
+    number -= first[i].is_outgrown ? 1 : 0;
+  return fmt::format("f{}", number);
 }
 
 }  // namespace gjkscope

@@ -10,17 +10,15 @@ EffectKey PenetrationDepth::key(const LessonRun&, const Frame& frame) {
 
 PenetrationDepth::Value PenetrationDepth::compute(EffectGraph&, const LessonRun& run,
                                                   const Frame& frame) {
-  if (const DepthTrace* shown = depth_trace(run, frame.run)) return *shown;
+  if (const DepthResult* shown = depth_result(run, frame.run)) return *shown;
   return depth_of(run.run(frame), run.lesson.options, run.lesson.scalar);
 }
 
-const depth::Result<double>* depth_on_overlap(EffectGraph& effects, const LessonRun& run,
-                                              const Frame& frame) {
+const DepthResult* depth_on_overlap(EffectGraph& effects, const LessonRun& run,
+                                    const Frame& frame) {
   const gjk::Verdict verdict = run.run(frame).trace.result.verdict;
   const bool overlap = verdict == gjk::Verdict::touching || verdict == gjk::Verdict::overlapping;
-  // In space nothing draws it yet.
-  return overlap && run.lesson.dimension == 2 ? &effects.get<PenetrationDepth>(frame).result
-                                              : nullptr;
+  return overlap ? &effects.get<PenetrationDepth>(frame) : nullptr;
 }
 
 const EffectInfo effect_infos::kPenetrationDepth =
