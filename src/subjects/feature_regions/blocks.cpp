@@ -21,7 +21,7 @@ void region_planes(PanelBuilder& panel) {
     for (const Border& border : shown.told.borders(at)) {
       const double depth = border.depth(shown.told.point(at));
       if (has_point && depth < 0.0) panel.highlight();
-      panel.row("plane at " + (border.beyond < 0 ? "the face" : shown.name(border.beyond)),
+      panel.row(border.beyond < 0 ? "plane of the face" : "plane at " + shown.name(border.beyond),
                 has_point ? panel.numbers(depth) : "");
     }
   } else if (!shown.is_query) {

@@ -62,7 +62,6 @@ void pair(SceneBuilder& scene, const RegionsTrace::Pair& of, const std::string& 
           const std::array<std::string, 2>& names) {
   const std::array<Point, 2> at = {scene.at(of.points[0]), scene.at(of.points[1])};
   scene.line(role, at[0], at[1]);
-  scene.length_label(role, of.distance(), at[0], at[1]);
   for (const std::size_t end : {0, 1}) {
     if (names[end].empty()) continue;
     scene.disk("slab.point", at[end], kClosestRadius);
