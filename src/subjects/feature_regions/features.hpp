@@ -3,7 +3,7 @@
 // "Voronoi Regions").
 //
 // The region of a feature holds all points outside of the body whose closest point lies on it. Each
-// of its borders is a plane, beyond which a neighbour is closer:
+// of its borders is a plane, beyond which the closest point lies elsewhere:
 //
 //   face    for each edge the plane through it, normal to the face; and the face's own plane
 //   edge    those planes of both its faces; at each end the plane through it, normal to the edge

@@ -37,21 +37,22 @@ Words words_of_kind(Kind kind, bool is_one) {
     case Kind::face:
       if (is_one)
         return {"The region of {f} is a prism that stands on the face.",
-                "Each edge of the face has a plane, normal to the face. Beyond it the edge is "
-                "closer than the face."};
+                "Each edge of the face has a plane, normal to the face. A point beyond it projects "
+                "outside of the face."};
       return {"{count} faces have {count} prisms. Between two of them there is a gap.",
               "In the gap over an edge neither face is closest: the edge is."};
     case Kind::edge:
       if (is_one)
         return {"The region of {f} is a wedge between {n} planes.",
-                "Two are sides of the prisms on its faces. Two stand at its ends, normal to the "
-                "edge: beyond them a vertex is closer."};
+                "Two are sides of the prisms on its faces. Two stand at its ends, normal to it: a "
+                "point beyond one projects outside of the edge."};
       return {"{count} edges have {count} wedges. They fill the gaps between prisms.",
               "There are still gaps at the vertices."};
     case Kind::vertex:
       if (is_one)
         return {"The region of {f} is a cone of {n} planes, one for each edge at the vertex.",
-                "Each plane is normal to its edge. Beyond it the edge is closer than the vertex."};
+                "Each plane is normal to its edge. Beyond it the edge has a point that is closer "
+                "than the vertex."};
       return {"{count} vertices have {count} cones. They fill what is left.",
               "A point in a cone is closer to the vertex than to any edge or face."};
   }
