@@ -61,7 +61,7 @@ struct FeatureRegions {
   static constexpr std::string_view kName = "feature-regions";
   static constexpr std::string_view kNeeds = "";
   struct Region {
-    const Feature* feature = nullptr;  ///< Of the run's trace.
+    const Feature* feature = nullptr;  ///< In the run's trace.
     std::size_t body = 1;
     SolidPart solid;
   };

@@ -10,7 +10,7 @@ namespace gjkscope {
 
 /// All points q with dot(normal, q) >= offset.
 struct HalfSpace {
-  Eigen::Vector3d normal;  ///< Of unit length.
+  Eigen::Vector3d normal;  ///< A unit vector.
   double offset = 0.0;
 };
 
