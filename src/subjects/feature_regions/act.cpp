@@ -91,8 +91,9 @@ const Act kAct{
 };
 
 const EffectInfo kFeatureRegionsInfo = shown_of(
-    ShownOf::space, effect_info<FeatureRegions>(
-                        "view", "in space: the Voronoi regions of features that a frame is about"));
+    ShownOf::space,
+    effect_info<FeatureRegions>(
+        "view", "in space: the Voronoi regions of features that a frame is about", kAct.name));
 
 }  // namespace
 }  // namespace gjkscope::cells

@@ -157,7 +157,10 @@ FeatureRegions::Value FeatureRegions::compute(EffectGraph&, const LessonRun& run
 const Layer kBehind{.effect = FeatureRegions::kName,
                     .on = Layer::On::world,
                     .order = 50,
-                    .draw = [](SceneBuilder& scene) { regions(scene, false); }};
+                    .draw = [](SceneBuilder& scene) {
+                      if (scene.run.act->algorithm == &kFeatureRegionsAlgorithm)
+                        regions(scene, false);
+                    }};
 
 void stage(SceneBuilder& scene) {
   const Shown shown(scene.run, scene.frame);
