@@ -8,6 +8,7 @@
 #include "run/questions.hpp"
 #include "session/hit.hpp"
 #include "subjects/run/voronoi.hpp"
+#include "subjects/space/solids.hpp"
 
 namespace gjkscope {
 namespace {
@@ -120,6 +121,32 @@ std::string region_at(Session& session, const Hand& hand, std::size_t view, cons
   return face == 0 ? std::string() : SimplexWords(run, simplex).face(face);
 }
 
+/// The choice that names the face of a body in space under a place of the page, "face ABC" or
+/// "face ABC of Y".
+std::string face_choice_at(Session& session, const LessonPictures::ShownView& shown,
+                           const Point& page) {
+  const LessonRun& run = session.run();
+  if (run.lesson.dimension != 3 || shown.kind != ViewKind::world) return {};
+  const StageMap map(shown.card, shown.camera);
+  const ShapeSolids::Value& hulls = session.effects().get<ShapeSolids>(session.frame());
+  for (std::size_t body = 0; body < hulls.size(); ++body) {
+    for (const Polyhedron::Face& face : hulls[body].faces) {
+      std::string name = "face ";
+      std::vector<Vector2d> corners;
+      for (const int vertex : face.vertices) {
+        const auto i = static_cast<std::size_t>(vertex);
+        name += run.lesson.bodies[body].vertex_names[i];
+        corners.push_back(map(run.run(session.frame()).bodies[body].world[i]));
+      }
+      if (map.towards_eye(face.normal) <= 0.0 || !is_inside(corners, page)) continue;
+      for (const std::string& choice : {name, name + " of " + run.lesson.bodies[body].name}) {
+        if (holds(session.question()->choices, choice)) return choice;
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string name_of(const LessonRun& run, const Subject& subject) {
@@ -151,6 +178,8 @@ std::optional<PointedChoice> pointed_choice(Session& session, const Hand& hand,
     return std::nullopt;
   }
   if (!spot.empty()) return with_place(spot);
+  if (std::string face = face_choice_at(session, shown, page); !face.empty())
+    return PointedChoice{std::move(face)};
   if (question->pair.empty() || !is_vertex(subject)) return std::nullopt;
   return PointedChoice{name, subject.kind == Kind::vertex_of_y ? 0U : 1U};
 }

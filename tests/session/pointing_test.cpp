@@ -105,6 +105,30 @@ TEST_F(Pointing, InSpaceARegionIsPointedAtByItsVertexEdgeOrFace) {
   EXPECT_GE(fronts, 4);
 }
 
+TEST_F(Pointing, InSpaceARegionOfABodyIsPointedAtByItsVertexEdgeOrFace) {
+  open("regions-of-a-box", "holding-region");
+  const std::vector<Vector3d>& box = session.run().run(session.frame()).y().world;
+  const std::vector<std::string>& names = session.lesson().y().vertex_names;
+  int faces = 0;
+  for (const std::string& choice : session.question()->choices) {
+    const std::string feature = choice.substr(choice.find(' ') + 1);
+    Vector3d middle = Vector3d::Zero();
+    for (const char name : feature) {
+      const auto found = std::find(names.begin(), names.end(), std::string(1, name));
+      ASSERT_NE(found, names.end()) << choice;
+      middle += box[static_cast<std::size_t>(found - names.begin())] /
+                static_cast<double>(feature.size());
+    }
+    // The eye looks at it, from a little aside.
+    const Vector3d outwards = middle.cwiseProduct(Vector3d(1.0, 1.0, 1.4));
+    session.set_eye({std::atan2(outwards.x(), -outwards.y()) * 180.0 / M_PI + 4.0,
+                     20.0 + (outwards.z() > 0.3 ? 25.0 : 0.0)});
+    EXPECT_EQ(chosen_at(on_page(middle)), choice);
+    faces += choice.starts_with("face") ? 1 : 0;
+  }
+  EXPECT_GT(faces, 0);
+}
+
 TEST_F(Pointing, ASupportPointIsTwoHalves) {
   open("polyhedra-gjk", "support");
   const std::vector<Vector3d>& y = session.run().run(session.frame()).y().world;

@@ -14,12 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// All points q with dot(normal, q) >= offset.
-struct HalfSpace {
-  Vector3d normal;
-  double offset = 0.0;
-};
-
 /// The weight of a vertex in P's combination, if only this face counted, for a query point at q. It
 /// is affine in q.
 double weight_at(const WideSimplex& simplex, gjk::Face face, int vertex, const Vector3d& q) {
@@ -41,7 +35,7 @@ HalfSpace where(const WideSimplex& simplex, const RegionCondition& condition, do
 }
 
 /// Corners of what all of them have in common, which must be bounded; each once, though more than
-/// three planes meet there. Normals have unit length.
+/// three planes meet there.
 std::vector<Vector3d> corners_of(const std::vector<HalfSpace>& spaces, double slack) {
   std::vector<Vector3d> out;
   const auto is_corner = [&](const Vector3d& q) {
@@ -75,6 +69,22 @@ const WideSimplex& tested_simplex(const LessonRun& run, const Frame& frame) {
 
 }  // namespace
 
+SolidPart cut_off(std::vector<HalfSpace> spaces, const Vector3d& middle, double radius) {
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (x == 0 && y == 0 && z == 0) continue;
+        const Vector3d inwards = Vector3d(x, y, z).normalized();
+        spaces.push_back({inwards, inwards.dot(middle) - radius});
+      }
+    }
+  }
+  constexpr double kSlack = 1e-9;
+  SolidPart part{corners_of(spaces, kSlack * radius), {}};
+  if (!part.points.empty()) part.hull = hull_in_space(part.points);
+  return part;
+}
+
 std::vector<RegionCondition> conditions_of(const WideSimplex& simplex, gjk::Face region) {
   std::vector<RegionCondition> out;
   for (int i = 0; i < simplex.count; ++i) {
@@ -91,11 +101,10 @@ EffectKey RegionSolid::key(const LessonRun& run, const Frame& frame) {
 
 RegionSolid::Value RegionSolid::compute(EffectGraph& graph, const LessonRun& run,
                                         const Frame& frame) {
-  Value value;
   const WideSimplex& simplex = tested_simplex(run, frame);
   const FrameFacts::Value& knows = graph.get<FrameFacts>(frame);
   const bool is_testing = knows.gradual && knows.tests_reached >= 0;
-  if (simplex.count < 4 || !(is_testing || knows.closest_point)) return value;
+  if (simplex.count < 4 || !(is_testing || knows.closest_point)) return {};
   const gjk::Face region =
       is_testing ? knows.region_tests[static_cast<std::size_t>(knows.tests_reached)].region
                  : run.state(frame).region;
@@ -107,19 +116,7 @@ RegionSolid::Value RegionSolid::compute(EffectGraph& graph, const LessonRun& run
   for (const RegionCondition& condition : conditions_of(simplex, region))
     spaces.push_back(where(simplex, condition, radius));
   constexpr double kReach = 1.7;  // of the simplex
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        if (x == 0 && y == 0 && z == 0) continue;
-        const Vector3d inwards = Vector3d(x, y, z).normalized();
-        spaces.push_back({inwards, inwards.dot(middle) - kReach * radius});
-      }
-    }
-  }
-  constexpr double kSlack = 1e-9;
-  value.points = corners_of(spaces, kSlack * radius);
-  if (!value.points.empty()) value.hull = hull_in_space(value.points);
-  return value;
+  return cut_off(std::move(spaces), middle, kReach * radius);
 }
 
 EffectKey FacesBefore::key(const LessonRun& run, const Frame& frame) {

@@ -8,6 +8,22 @@
 
 namespace gjkscope {
 
+/// All points q with dot(normal, q) >= offset.
+struct HalfSpace {
+  Eigen::Vector3d normal;  ///< A unit vector.
+  double offset = 0.0;
+};
+
+/// A convex part of space: its corners, and their hull.
+struct SolidPart {
+  std::vector<Eigen::Vector3d> points;
+  Polyhedron hull;
+};
+/// The points that half-spaces have in common, as far as about `radius` from `middle`. Empty where
+/// there are none.
+[[nodiscard]] SolidPart cut_off(std::vector<HalfSpace> spaces, const Eigen::Vector3d& middle,
+                                double radius);
+
 /// One condition of a Voronoi region of a simplex: the sign of a vertex's weight, if only `face`
 /// counted (Johnson's conditions; Gilbert, Johnson, Keerthi 1988).
 struct RegionCondition {
@@ -25,10 +41,7 @@ struct RegionCondition {
 struct RegionSolid {
   static constexpr std::string_view kName = "region-solid";
   static constexpr std::string_view kNeeds = "facts";
-  struct Value {
-    std::vector<Eigen::Vector3d> points;  ///< In the coordinates of the difference.
-    Polyhedron hull;
-  };
+  using Value = SolidPart;  ///< In the coordinates of the difference.
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
