@@ -164,8 +164,7 @@ void moved(SceneBuilder& scene, const DepthResult& result) {
   std::vector<Vector3d> points;
   for (const Vector3d& vertex : scene.positioned.x().world)
     points.emplace_back(vertex + result.translation);
-  const SolidBody y{hulls[1], scene.positioned.y().world};
-  if (result.depth > 0.0) draw_solid(scene, hulls[0], points, "depth.moved", {}, &y);
+  if (result.depth > 0.0) draw_solid(scene, hulls[0], points, "depth.moved");
   const Point from = scene.at(result.x);
   const Point to = scene.at(result.y);
   if ((to - from).norm() > kPointRadius) {
