@@ -13,7 +13,7 @@
 namespace gjkscope::judging {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /// A log with more problems is not listed further.
 constexpr std::size_t kListedProblems = 20;

@@ -18,7 +18,7 @@ namespace gjkscope {
 namespace {
 
 using Eigen::Vector2d;
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /// Problems of one case beyond these are counted, not listed.
 constexpr std::size_t kListedProblems = 20;

@@ -67,7 +67,7 @@ std::size_t find_value(std::string_view text, std::size_t at, const JsonPath& pa
   return at;
 }
 
-std::optional<double> number_in(const nlohmann::json& value) {
+std::optional<double> number_in(const nlohmann::ordered_json& value) {
   if (value.is_number()) return value.get<double>();
   if (!value.is_string()) return std::nullopt;
   const std::string& text = value.get_ref<const std::string&>();

@@ -20,6 +20,6 @@ using JsonPath = std::vector<std::string>;
 [[nodiscard]] std::size_t find_value(std::string_view text, std::size_t at, const JsonPath& path);
 
 /// A number, or a string that holds one ("0.1", "0x1.8p-4", "nan"); nothing where it is neither.
-[[nodiscard]] std::optional<double> number_in(const nlohmann::json& value);
+[[nodiscard]] std::optional<double> number_in(const nlohmann::ordered_json& value);
 
 }  // namespace gjkscope

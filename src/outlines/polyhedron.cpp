@@ -163,9 +163,8 @@ class Quickhull {
 };
 
 Vector3d normal_of(Points points, const Triangle& face) {
-  return (at(points, face[1]) - at(points, face[0]))
-      .cross(at(points, face[2]) - at(points, face[0]))
-      .normalized();
+  return unit(
+      (at(points, face[1]) - at(points, face[0])).cross(at(points, face[2]) - at(points, face[0])));
 }
 
 /// Makes one face of triangles in one plane: of those beside each other for which `is_same` holds,
@@ -247,6 +246,8 @@ void complete(Polyhedron& hull) {
 
 }  // namespace
 
+Vector3d unit(const Vector3d& v) { return v / std::sqrt(gjk::dot(v, v)); }
+
 Polyhedron hull_in_space(std::span<const Vector3d> points) {
   const int a = farthest(points, [&](const Vector3d& p) { return (p - points[0]).norm(); });
   const Vector3d from = at(points, a);
@@ -268,7 +269,7 @@ Polyhedron hull_in_space(std::span<const Vector3d> points) {
   }
   const int d = farthest(points, [&](const Vector3d& p) { return std::abs(normal.dot(p - from)); });
   if (std::abs(normal.dot(at(points, d) - from)) <= kFlat * normal.norm() * edge.norm()) {
-    hull = flat(points, normal.normalized());
+    hull = flat(points, unit(normal));
   } else {
     constexpr double kSamePlane = 1e-7;
     hull.faces = merged(points, Quickhull(points).run({a, b, c, d}),

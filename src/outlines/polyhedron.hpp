@@ -26,6 +26,9 @@ struct Polyhedron {
   std::vector<int> vertices;  ///< Those on the hull, in ascending order.
 };
 
+/// v / |v|, in the same digits by every compiler. v: not 0.
+[[nodiscard]] Eigen::Vector3d unit(const Eigen::Vector3d& v);
+
 /// The hull of at least one point. Orientations are decided exactly, so it never folds (Barber,
 /// Dobkin, Huhdanpaa 1996, Quickhull).
 [[nodiscard]] Polyhedron hull_in_space(std::span<const Eigen::Vector3d> points);

@@ -16,7 +16,7 @@ namespace {
 
 using families::Family;
 using families::Pair;
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /// Relative errors beyond these count.
 constexpr double kFloatLimit = 1e-3;

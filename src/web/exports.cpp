@@ -51,7 +51,7 @@ EMSCRIPTEN_KEEPALIVE void gjk_font(int face, int fallback, const unsigned char* 
 /// fonts are not what they should be.
 EMSCRIPTEN_KEEPALIVE bool gjk_start(const char* assets, std::size_t size) {
   try {
-    const nlohmann::json texts = nlohmann::json::parse(assets, assets + size);
+    const nlohmann::ordered_json texts = nlohmann::ordered_json::parse(assets, assets + size);
     player = std::make_unique<Player>(std::move(fonts),
                                       texts.at("themes").get<std::map<std::string, std::string>>(),
                                       texts.at("terms").get<std::string>());

@@ -4,7 +4,13 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "export/export.hpp"
@@ -68,6 +74,57 @@ void encode(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(encode_png(image));
 }
 BENCHMARK(encode)->Unit(benchmark::kMillisecond);
+
+/// The frames of a lesson from its run to pixels.
+void build_and_paint(benchmark::State& state, const Lesson& lesson) {
+  Studio studio;
+  Image image;
+  std::size_t frames = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    for (const FramePicture& frame : lesson_pictures(run, effects, studio.fonts)) {
+      studio.canvas.paint(frame.picture, image);
+      ++frames;
+    }
+  }
+  state.counters["time of a frame"] =
+      benchmark::Counter(static_cast<double>(frames),
+                         benchmark::Counter::kAvgThreadsRate | benchmark::Counter::kInvert);
+}
+
+Lesson shipped(std::string_view id) {
+  const std::vector<Lesson> lessons = bench::shipped_lessons();
+  const auto found = std::find_if(lessons.begin(), lessons.end(),
+                                  [&](const Lesson& lesson) { return lesson.id == id; });
+  return found == lessons.end() ? throw std::runtime_error("no such lesson") : *found;
+}
+
+void polygons(benchmark::State& state) { build_and_paint(state, shipped("polygons-gjk")); }
+BENCHMARK(polygons)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+/// The lesson about two polyhedra, with 64 points of a sphere in place of each.
+void polyhedra_of_64_vertices(benchmark::State& state) {
+  Lesson lesson = shipped("polyhedra-gjk");
+  lesson.questions.clear();
+  for (LessonShape& shape : lesson.bodies) {
+    const std::vector<Eigen::Vector3d> corners = std::exchange(shape.vertices, {});
+    const Eigen::Vector3d middle =
+        std::accumulate(corners.begin(), corners.end(), Eigen::Vector3d(0.0, 0.0, 0.0)) /
+        static_cast<double>(corners.size());
+    shape.vertex_names.clear();
+    for (int i = 0; i < 64; ++i) {
+      const double z = (i + 0.5) / 32.0 - 1.0;
+      const double turn = 2.4 * i;
+      shape.vertices.emplace_back(middle + Eigen::Vector3d(std::sqrt(1.0 - z * z) * std::cos(turn),
+                                                           std::sqrt(1.0 - z * z) * std::sin(turn),
+                                                           z));
+      shape.vertex_names.push_back(shape.name + std::to_string(i));
+    }
+  }
+  build_and_paint(state, lesson);
+}
+BENCHMARK(polyhedra_of_64_vertices)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void export_all_lessons(benchmark::State& state) {
   const std::vector<Lesson> lessons = bench::shipped_lessons();

@@ -60,8 +60,9 @@ void marked(SceneBuilder& scene, const Shown& shown, const Face& face) {
   }
 }
 
-/// In the world: a vertex, an edge or a face of a body.
-void source(SceneBuilder& scene, const Shown& shown, const std::vector<int>& part, bool is_x) {
+/// In the world: a vertex, an edge or a face of a body, that makes a face of Z.
+void source(SceneBuilder& scene, const Shown& shown, const Face& of_z, bool is_x) {
+  const std::vector<int>& part = is_x ? of_z.x : of_z.y;
   const std::vector<Vector3d>& world = shown.bodies[is_x ? 0 : 1].world;
   std::vector<Point> corners;
   for (const int vertex : part)
@@ -69,7 +70,10 @@ void source(SceneBuilder& scene, const Shown& shown, const std::vector<int>& par
   if (corners.size() > 2) {
     std::vector<Vector3d> face;
     for (const int vertex : part) face.push_back(world[static_cast<std::size_t>(vertex)]);
-    return draw_face(scene, face, is_x ? "zface.x" : "zface.y");
+    // X is mirrored in Z, so that its faces look the other way there.
+    const bool is_behind = scene.map.towards_eye(of_z.normal) * (is_x ? -1.0 : 1.0) < 0.0;
+    return draw_face(scene, face,
+                     std::string(is_x ? "zface.x" : "zface.y") + (is_behind ? ".behind" : ""));
   }
   if (corners.size() == 2) return scene.line(is_x ? "from.x" : "from.y", corners[0], corners[1]);
   scene.diamond("support.vertex", corners[0], kSupportRadius,
@@ -82,9 +86,9 @@ void sources(SceneBuilder& scene, const Shown& shown, Kind kind) {
   for (const Face& face : shown.told.faces) {
     if (face.kind() != kind) continue;
     if (face.y.size() > 1 && (face.y.size() == 2 || scene.map.towards_eye(face.normal) > 0.0))
-      source(scene, shown, face.y, false);
+      source(scene, shown, face, false);
     if (face.x.size() > 1 && (face.x.size() == 2 || scene.map.towards_eye(face.normal) < 0.0))
-      source(scene, shown, face.x, true);
+      source(scene, shown, face, true);
   }
 }
 
@@ -98,7 +102,7 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
   for (const bool is_x : {false, true}) {
     const std::vector<int>& part = is_x ? face->x : face->y;
     // The part that is asked for is not shown.
-    if (!shown.asks || part.size() > 1) source(scene, shown, part, is_x);
+    if (!shown.asks || part.size() > 1) source(scene, shown, *face, is_x);
   }
 }
 

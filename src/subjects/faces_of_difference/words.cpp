@@ -116,10 +116,12 @@ void all(const Shown& shown, FrameText& text) {
       "come on top: O(n²), says Larsen.";
 }
 
-void answer(const Shown& shown, FrameText& text) {
+void answer(const Story& story, const Shown& shown, FrameText& text) {
   text.caption =
       fmt::format("GJK does not build these {} faces. It asks for {} support points of Z.",
                   shown.told.faces.size(), shown.told.support_points);
+  if (story.trace.result.stop == gjk::StopReason::repeated_support)
+    text.caption += " The last one is there already, so GJK stops.";
   text.detail = fmt::format(
       "Each is one vertex of {} less one of {}: neither faces nor edges are needed, nor who is "
       "whose neighbour.",
@@ -144,7 +146,7 @@ void words(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   if (is_growth(story.run, story.frame)) return growth(story, text);
   if (shown.step < 0) return start(shown, text);
-  if (shown.is_answer) return answer(shown, text);
+  if (shown.is_answer) return answer(story, shown, text);
   switch (shown.at().phase) {
     case Phase::one:
       return one(shown, text);

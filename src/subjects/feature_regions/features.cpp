@@ -40,7 +40,7 @@ std::vector<Feature> features_of(const Polyhedron& hull, std::span<const Vector3
     const int edge = first_edge + static_cast<int>(k);
     const Vector3d& from = points[static_cast<std::size_t>(ends.from)];
     const Vector3d& to = points[static_cast<std::size_t>(ends.to)];
-    const Vector3d along = (to - from).normalized();
+    const Vector3d along = unit(to - from);
     const Vector3d& left = hull.faces[static_cast<std::size_t>(ends.left)].normal;
     const Vector3d& right = hull.faces[static_cast<std::size_t>(ends.right)].normal;
     border(ends.left, edge, from, along.cross(left));
@@ -52,7 +52,7 @@ std::vector<Feature> features_of(const Polyhedron& hull, std::span<const Vector3
     for (const int feature : {edge, start, end}) at(feature).outwards += left + right;
   }
   for (int i = 0; i < static_cast<int>(out.size()); ++i) {
-    at(i).outwards.normalize();
+    at(i).outwards = unit(at(i).outwards);
     if (i >= first_edge) continue;
     const Vector3d& normal = at(i).outwards;
     at(i).borders.push_back(

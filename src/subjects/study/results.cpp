@@ -15,11 +15,11 @@
 namespace gjkscope {
 namespace {
 
-std::optional<double> number_or_none(const nlohmann::json& value) {
+std::optional<double> number_or_none(const nlohmann::ordered_json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
-std::vector<Eigen::Vector2d> points_of(const nlohmann::json& list) {
+std::vector<Eigen::Vector2d> points_of(const nlohmann::ordered_json& list) {
   std::vector<Eigen::Vector2d> points;
   for (const auto& [x, y] : list.get<std::vector<std::pair<double, double>>>())
     points.emplace_back(x, y);
@@ -27,7 +27,7 @@ std::vector<Eigen::Vector2d> points_of(const nlohmann::json& list) {
   return points;
 }
 
-StudyDot dot_of(const nlohmann::json& row) {
+StudyDot dot_of(const nlohmann::ordered_json& row) {
   StudyDot dot;
   row.at("family").get_to(dot.family);
   row.at("configuration").get_to(dot.configuration);
@@ -41,7 +41,7 @@ StudyDot dot_of(const nlohmann::json& row) {
   row.at("ns").get_to(dot.ns);
   row.at("ratio").get_to(dot.ratio);
   dot.error = number_or_none(row.at("error"));
-  const nlohmann::json& worst = row.at("worst");
+  const nlohmann::ordered_json& worst = row.at("worst");
   dot.answer = number_or_none(worst.at("answer"));
   worst.at("distance").get_to(dot.distance);
   dot.x = points_of(worst.at("case").at("a"));
@@ -53,7 +53,7 @@ StudyDot dot_of(const nlohmann::json& row) {
 
 StudyResults parse_study_results(std::string_view json) {
   constexpr const char* kExpected = "expected the accuracy.json of `gjkscope study accuracy`";
-  const nlohmann::json read = nlohmann::json::parse(json, nullptr, false);
+  const nlohmann::ordered_json read = nlohmann::ordered_json::parse(json, nullptr, false);
   if (read.is_discarded()) throw std::runtime_error(fmt::format("not JSON; {}", kExpected));
   if (!read.is_object() || !read.contains("rows") || !read["rows"].is_array())
     throw std::runtime_error(fmt::format("no rows; {}", kExpected));
@@ -64,7 +64,7 @@ StudyResults parse_study_results(std::string_view json) {
     throw std::runtime_error(fmt::format("machine: {}; {}", error.what(), kExpected));
   }
   int number = 0;
-  for (const nlohmann::json& row : read["rows"]) {
+  for (const nlohmann::ordered_json& row : read["rows"]) {
     ++number;
     try {
       if (row.at("repetitions").get<int>() > 0) out.dots.push_back(dot_of(row));
