@@ -114,8 +114,8 @@ void words(const Story& story, FrameText& text) {
       text.caption =
           fmt::format("From each vertex the way to the other shape is {} or more.", distance);
       text.detail =
-          "Drawn from the two nearest vertices of each shape. A guess is wrong by its extra "
-          "length.";
+          "Ways are drawn from the two nearest vertices of each shape. A guess is wrong by its "
+          "extra length.";
       return;
     case Part::slab:
       text.caption = fmt::format(
@@ -123,8 +123,8 @@ void words(const Story& story, FrameText& text) {
           "no point of {} or {} lies in this one.",
           x, y);
       text.detail = fmt::format(
-          "Both its sides are perpendicular to xy. Every way from {} to {} has to cross it, and it "
-          "is {} wide.",
+          "Both its sides are perpendicular to the segment xy. Every way from {} to {} has to "
+          "cross it, and it is {} wide.",
           x, y, distance);
       return;
   }

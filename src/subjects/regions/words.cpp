@@ -63,8 +63,8 @@ void maps(const Story& story, FrameText& text) {
           fmt::format("Voronoi map: a point's region names its closest feature. For {} it is {}.",
                       story.q, region);
       text.detail =
-          "Seven regions: three vertices, three edges, the interior. Next: the signs of u, v and "
-          "w.";
+          "The map has seven regions: three vertices, three edges, the interior. Next: the signs "
+          "of u, v and w.";
       return;
     case MapStage::interior:
       text.caption = "Sign map: u, v and w are all positive inside the triangle.";
@@ -99,8 +99,8 @@ void maps(const Story& story, FrameText& text) {
                 : fmt::format("At {}, {}. The signs name {}, but {} is closest.", story.q,
                               negatives(story), feature(story, face), region);
       text.detail =
-          "Marked: where the maps disagree. The signs alone do not find the region; further tests "
-          "do.";
+          "The maps disagree in the marked parts. The signs alone do not find the region; further "
+          "tests do.";
       return;
     }
   }
