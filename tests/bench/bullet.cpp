@@ -1,4 +1,3 @@
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -6,6 +5,7 @@
 
 #include <memory>
 
+#include "bullet_shapes.hpp"
 #include "libraries.hpp"
 
 namespace bench {
@@ -16,26 +16,6 @@ struct Prepared {
   std::unique_ptr<btConvexHullShape> y;
   btDiscreteCollisionDetectorInterface::ClosestPointInput poses;
 };
-
-btVector3 to_bullet(const Point<3>& point) {
-  const auto p = point.cast<btScalar>().eval();
-  return {p[0], p[1], p[2]};
-}
-
-std::unique_ptr<btConvexHullShape> to_bullet(const std::vector<Point<3>>& shape) {
-  auto out = std::make_unique<btConvexHullShape>();
-  for (const Point<3>& point : shape) out->addPoint(to_bullet(point), false);
-  out->recalcLocalAabb();
-  out->setMargin(0);
-  return out;
-}
-
-btTransform to_bullet(const gjk::Pose<double, 3>& pose) {
-  const auto r = pose.rotation.matrix().cast<btScalar>().eval();
-  const btMatrix3x3 turn(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1),
-                         r(2, 2));
-  return btTransform(turn, to_bullet(pose.translation));
-}
 
 Contestant prepare_all(std::span<const Pair<3>> pairs) {
   const auto prepared = std::make_shared<std::vector<Prepared>>(pairs.size());

@@ -22,22 +22,6 @@ using namespace bench;
 
 constexpr std::uint64_t kSeed = 20100309;
 
-/// Prints text and keeps it for a document.
-class Report {
- public:
-  template <class... Values>
-  void print(fmt::format_string<Values...> format, Values&&... values) {
-    const std::string text = fmt::format(format, std::forward<Values>(values)...);
-    fmt::print("{}", text);
-    std::fflush(stdout);
-    text_ += text;
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 /// A library and what share of its time the core may take.
 template <int D>
 struct Rival {

@@ -1,8 +1,8 @@
-#include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <memory>
 
+#include "fcl_shapes.hpp"
 #include "libraries.hpp"
 
 namespace bench {
@@ -16,19 +16,6 @@ struct Prepared {
   fcl::Transform3d x_pose;
   fcl::Transform3d y_pose;
 };
-
-/// Vertices alone: distances do not look at faces, and up to 32 vertices are scanned anyway.
-Convex to_fcl(const std::vector<Point<3>>& shape) {
-  return {std::make_shared<std::vector<fcl::Vector3d>>(shape), 0,
-          std::make_shared<std::vector<int>>()};
-}
-
-fcl::Transform3d to_fcl(const gjk::Pose<double, 3>& pose) {
-  fcl::Transform3d out = fcl::Transform3d::Identity();
-  out.linear() = pose.rotation.matrix();
-  out.translation() = pose.translation;
-  return out;
-}
 
 template <fcl::GJKSolverType solver>
 Contestant prepare_all(std::span<const Pair<3>> pairs) {

@@ -16,6 +16,18 @@ function(bench_peer name version)
   target_compile_definitions(bench_libraries PUBLIC GJKSCOPE_${macro})
 endfunction()
 
+# bench_depths(NAME VERSION LIBRARY): NAME_depths.cpp as a part of depth-compare, where the library was found.
+function(bench_depths name version library)
+  if(NOT version)
+    return()
+  endif()
+  string(TOUPPER ${name} macro)
+  target_sources(depth-compare PRIVATE ${name}_depths.cpp)
+  set_source_files_properties(${name}_depths.cpp PROPERTIES COMPILE_DEFINITIONS PEER_VERSION="${version}")
+  target_link_libraries(depth-compare PRIVATE ${library})
+  target_compile_definitions(depth-compare PRIVATE GJKSCOPE_${macro})
+endfunction()
+
 # Box2D 2 and 3 name their target and their folder of headers alike, so 2 is found by files that 3 does not have.
 find_path(BOX2D_2_INCLUDE_DIR box2d/b2_distance.h)
 find_library(BOX2D_2_LIBRARY NAMES libbox2d.so.2)
