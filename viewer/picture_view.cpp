@@ -15,6 +15,7 @@
 #include "picture/words.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
+#include "session/pointing.hpp"
 #include "subjects/course_map/tiles.hpp"
 
 namespace gjkscope {
@@ -22,6 +23,8 @@ namespace {
 
 using Eigen::Vector2d;
 using Kind = Subject::Kind;
+
+constexpr double kDirectionReach = 14.0;  // frame pixels around the point that it is dragged from
 
 }  // namespace
 
@@ -118,6 +121,10 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
   const ImU32 ink = IM_COL32(words.r, words.g, words.b, 255);
   const ImU32 wash = IM_COL32(words.r, words.g, words.b, 40);
   const auto width = static_cast<float>(2.0 * zoom_);
+  if (press_ && press_->drags_direction) {
+    const std::optional<Point> origin = origin_on_page(session_);
+    if (origin) list.AddLine(vec(to_pixel(*origin)), vec(to_pixel(press_->last)), ink, width);
+  }
   std::vector<Rect> rings;
   for (const Mark& mark : picture.marks) {
     const bool pointed = is_linked(mark.subject, hovered_);
@@ -327,6 +334,12 @@ void PictureView::press(const Subject& subject, const Point& page) {
   const std::optional<std::size_t> view = hand_.view_at(page);
   if (!view) return;
   press_ = Press{.last = page};
+  const std::optional<Point> origin = origin_on_page(session_);
+  if (origin && (page - *origin).norm() < kDirectionReach) {
+    press_->drags_direction = true;
+    press_->aim = Subject{};
+    return;
+  }
   if (session_.question() && !hand_.is_on_handle(page)) press_->aim = subject;
   // A press on anything else moves the view.
   if (!hand_.press(subject, page)) press_->view = view;
@@ -343,6 +356,10 @@ void PictureView::continue_drag(const Point& page) {
   if (press.on_timeline) {
     if (const std::optional<int> frame = frame_at({page.x(), press.last.y()}))
       session_.go_to(*frame);
+    return;
+  }
+  if (press.drags_direction) {
+    press.last = page;
     return;
   }
   if (!press.view) {

@@ -60,6 +60,7 @@ class PictureView {
     bool on_timeline = false;
     std::optional<std::size_t> view = std::nullopt;
     bool moved = false;
+    bool drags_direction = false;  ///< As an answer.
     /// A question was open: this is an answer, unless it becomes a drag.
     std::optional<Subject> aim = std::nullopt;
     /// The shape whose vertex is held, where it is convex.

@@ -55,6 +55,12 @@ function onDown(event) {
   endMotion();
   stop();
   const touch = event.pointerType !== "mouse";
+  if (aimsFrom(placeOf(event))) {
+    held = { id: event.pointerId, aims: true };
+    $("stage").setPointerCapture(event.pointerId);
+    event.preventDefault();
+    return;
+  }
   const press = { id: event.pointerId, drags: Boolean(state.eye) || isOverShape(event, touch ? FINGER : 14), from: placeOf(event), last: placeOf(event), at: { x: event.clientX, y: event.clientY }, touch };
   held = press;
   if (!press.drags) {
@@ -72,7 +78,26 @@ function onDown(event) {
   });
 }
 
+/** A direction that is asked for is dragged from a point: whether this is the place. */
+function aimsFrom({ x, y }) {
+  const [left, top] = state.question?.origin ?? [];
+  return Math.hypot(x - left, y - top) < FINGER;
+}
+
+/** The direction that is dragged. */
+function drawAim({ x, y }) {
+  const svg = $("stage").querySelector("svg");
+  const line = svg.querySelector(".aim") ?? svg.appendChild(document.createElementNS(svg.namespaceURI, "line"));
+  const [left, top] = state.question.origin;
+  line.setAttribute("class", "aim");
+  for (const [name, value] of Object.entries({ x1: left, y1: top, x2: x, y2: y })) line.setAttribute(name, value);
+}
+
 function onMove(event) {
+  if (held?.aims) {
+    if (event.pointerId === held.id) drawAim(placeOf(event));
+    return;
+  }
   if (held && event.pointerId === held.id) held.last = placeOf(event);
   if (held?.second) {
     if (event.pointerId === held.second.id) held.second.at = placeOf(event);
@@ -119,6 +144,13 @@ function onUp(event) {
     return;
   }
   if (!held || event.pointerId !== held.id) return;
+  if (held.aims) {
+    const place = placeOf(event);
+    dropHand();
+    $("stage").querySelector(".aim")?.remove();
+    if (event.type === "pointerup" && !aimsFrom(place)) pointAtChoice(place);
+    return;
+  }
   const { drags, from, touch, at } = held;
   dropHand();
   if (drags) act({ do: "release" });

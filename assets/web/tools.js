@@ -18,11 +18,11 @@ function showTools(next, last) {
   // Another layout of the same step keeps it.
   if (last?.index !== next.index || graded) $("verdict").hidden = !graded;
   if (graded) {
-    const { chosen, answer, right, asked, away } = next.answers;
+    const { chosen, answer, right, asked, away, turned } = next.answers;
     const isRight = chosen === answer;
     $("verdict").className = isRight ? "right" : "wrong";
     const said = isRight ? `Right: ${answer}.` : `Not ${chosen}: the run says ${answer}.`;
-    const off = away ? ` You pointed ${away} away from it.` : "";
+    const off = away ? ` You pointed ${away} away from it.` : turned ? ` Yours is turned by ${turned}°.` : "";
     setText("verdict", `${said}${off} ${right} of ${asked} so far.`);
     if (last?.question && remembers()) remember(data.id, whereStopped(), { step: last.index + 1, right: isRight });
     tellHost("answer", { step: state.index + 1, chosen, answer, right: isRight, asked, correct: right });

@@ -40,6 +40,8 @@ struct FrameQuestion {
   std::vector<std::optional<Spot>> spots = {};  ///< For the choices, in order; or empty.
   /// The place that is asked for, if it is one: an answer says how far off it is.
   std::optional<Eigen::Vector2d> place = {};
+  /// If a direction is asked for: it leads from here to `place`.
+  std::optional<Eigen::Vector2d> origin = {};
   std::string reason = {};   ///< The caption of the frame that tells, without the answer before it.
   std::string refuted = {};  ///< Sentences on the wrong choices, for the frame that tells.
 };

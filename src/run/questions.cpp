@@ -44,6 +44,11 @@ bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,
            !is_tie(asked.record.scan_x, x, asked.after.d) &&
            !is_tie(asked.record.scan_y, y, asked.after.d);
   }
+  if (ask == asks::kDirection.name) {
+    // A direction of a picture is a plane of directions in space.
+    const WideState& after = trace.steps[static_cast<std::size_t>(step)].after;
+    return run.lesson.dimension == 2 && after.p_sq > 0.0 && after.d.squaredNorm() > 0.0;
+  }
   return ask == asks::kStop.name || ask == asks::kWhy.name ||
          state_before(trace, step).simplex.count > 1;
 }
@@ -56,6 +61,7 @@ bool tells(const WideTrace& trace, int step, std::string_view ask) {
   if (ask == asks::kWhy.name)
     return at + 1 == trace.steps.size() && ends_by_itself(trace.steps.back().after.stop);
   if (ask == asks::kSupport.name) return is(at, gjk::Phase::support);
+  if (ask == asks::kDirection.name) return is(at, gjk::Phase::direction);
   if (ask == asks::kRegion.name) return is(at, gjk::Phase::closest);
   if (ask == asks::kDropped.name)
     return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::drop);

@@ -23,8 +23,12 @@ inline constexpr AskInfo kClosestY{"closest-y", "the closest point of Y: where i
                                    "at position"};
 inline constexpr AskInfo kSign{"sign", "which barycentric coordinate is negative", "at position"};
 inline constexpr AskInfo kFoot{"foot", "the foot of the perpendicular: where it is", "at position"};
+inline constexpr AskInfo kWhatIf{
+    "what-if", "the place that the query point would have to move to for a weight to become 0",
+    "at position"};
+inline constexpr AskInfo kDirection{"direction", "the search direction, dragged from P"};
 inline constexpr std::array kOfAnswers = {kClosestX, kClosestY};
-inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop, kWhy};
+inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop, kWhy, kDirection};
 }  // namespace asks
 
 /// True for a step that tells what is asked for. P tells which vertices will be dropped, and what

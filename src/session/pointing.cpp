@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "outlines/polygon.hpp"
 #include "picture/words.hpp"
@@ -147,7 +148,30 @@ std::string face_choice_at(Session& session, const LessonPictures::ShownView& sh
   return {};
 }
 
+/// The choice whose direction is nearest to that of a place in the view.
+std::string nearest_direction(const FrameQuestion& question, const Vector2d& place) {
+  double most = -HUGE_VAL;
+  std::string chosen;
+  for (std::size_t i = 0; i < question.spots.size(); ++i) {
+    const double along =
+        in_plane(question.spots[i]->to - question.spots[i]->from).dot(place - *question.origin);
+    if (along > most) chosen = question.choices[i];
+    most = std::max(most, along);
+  }
+  return chosen;
+}
+
 }  // namespace
+
+std::optional<Point> origin_on_page(const Session& session) {
+  const FrameQuestion* question = session.question();
+  if (question == nullptr || !question->origin) return std::nullopt;
+  for (const LessonPictures::ShownView& shown : session.views()) {
+    if (shown.kind == question->spots.front()->view)
+      return StageMap(shown.card, shown.camera)(*question->origin);
+  }
+  return std::nullopt;
+}
 
 std::string name_of(const LessonRun& run, const Subject& subject) {
   if (subject.kind == Kind::difference_vertex) return run.pair_name({subject.x, subject.y});
@@ -162,6 +186,11 @@ std::optional<PointedChoice> pointed_choice(Session& session, const Hand& hand,
   const std::optional<std::size_t> view = hand.view_at(page);
   if (!question || !view) return std::nullopt;
   const LessonPictures::ShownView shown = session.views()[*view];
+  if (question->origin) {
+    if (shown.kind != question->spots.front()->view) return std::nullopt;
+    const Vector2d place = in_plane(hand.to_view(*view, page));
+    return PointedChoice{nearest_direction(*question, place), {}, place};
+  }
   const std::string spot =
       shows_shapes(shown.kind) ? nearest_spot(*question, shown, page) : std::string();
   const auto with_place = [&](std::string choice) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -46,6 +48,10 @@ Sight sight(const Camera& camera, const Rect& card) {
 /// The verdict of the run on an answer; null where none was given.
 std::string verdict(const FrameQuestion& asked, const Answer* answer, const Numbers& numbers) {
   const std::string& right = asked.answer;
+  if (answer && answer->pointed && answer->origin) {
+    return fmt::format("{}: {}. Yours is turned by {}°.", answer->is_right() ? "Right" : "Not so",
+                       right, numbers(answer->turned()));
+  }
   if (answer && answer->pointed && answer->place) {
     return fmt::format("{}: {}. You pointed {} away.", answer->is_right() ? "Right" : "Not so",
                        right, numbers((*answer->pointed - *answer->place).norm()));
@@ -63,6 +69,13 @@ std::string verdict(const FrameQuestion& asked, const Answer* answer, const Numb
 }
 
 }  // namespace
+
+double Answer::turned() const {
+  const Eigen::Vector2d a = *pointed - *origin;
+  const Eigen::Vector2d b = *place - *origin;
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  return kDegrees * std::abs(std::atan2(gjk::cross(a, b), gjk::dot(a, b)));
+}
 
 std::vector<Problem> why_not_said(const Lesson& lesson, const FileReader& read) {
   return parse_lesson(lesson_toml(lesson), lesson.path.empty() ? "lesson" : lesson.path,
@@ -633,7 +646,7 @@ bool Session::take(const std::string& choice, const std::optional<Eigen::Vector2
   if (!asked) return false;
   answers_.push_back({lesson_.id, text().iteration, asked->ask, asked->choices, choice,
                       asked->answer, version_, frame().run, frame().answering_step, pointed,
-                      asked->place});
+                      asked->place, asked->origin});
   return true;
 }
 

@@ -31,6 +31,10 @@ struct Answer {
   /// The place that was pointed at, and the one that was asked for; if there is one.
   std::optional<Eigen::Vector2d> pointed = {};
   std::optional<Eigen::Vector2d> place = {};
+  /// If a direction was asked for: it leads from here to each of both.
+  std::optional<Eigen::Vector2d> origin = {};
+  /// Degrees between both directions.
+  [[nodiscard]] double turned() const;
   [[nodiscard]] bool is_right() const { return chosen == right; }
 };
 

@@ -32,6 +32,20 @@ class Verdict {
     if (strikes) add(role, Polyline{{place->from - reach, place->from + reach}});
   }
 
+  /// Two directions from a point of the view that is asked about, equally long.
+  void directions(const Answer& answer) {
+    const Eigen::Vector2d& from = *answer.origin;
+    const Eigen::Vector2d chosen =
+        from + (*answer.place - from).norm() * (*answer.pointed - from).normalized();
+    for (const LessonPictures::ShownView& shown : views_) {
+      if (shown.kind != asked_.spots.front()->view) continue;
+      const StageMap map(shown.card, shown.camera);
+      add("verdict.right", Polyline{{map(from), map(*answer.place)}});
+      add("verdict.way", Polyline{{map(from), map(chosen)}});
+      add("verdict.chosen", Disk{map(chosen), 5.0});
+    }
+  }
+
   void way(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
     for (const LessonPictures::ShownView& shown : views_) {
       if (shown.kind != ViewKind::world) continue;
@@ -81,6 +95,7 @@ void add_verdict(Picture& picture, const LessonRun& run,
                  std::span<const LessonPictures::ShownView> views, const FrameQuestion& asked,
                  const Answer& answer) {
   Verdict verdict(picture, run, views, asked);
+  if (answer.pointed && answer.origin) return verdict.directions(answer);
   if (answer.pointed && answer.place) return verdict.way(*answer.pointed, *answer.place);
   verdict.mark(answer.right, "verdict.right", false);
   if (!answer.is_right()) verdict.mark(answer.chosen, "verdict.wrong", true);

@@ -17,6 +17,7 @@
 #include "picture/text_box.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
+#include "session/pointing.hpp"
 #include "subjects/depth/penetration.hpp"
 #include "subjects/run/code.hpp"
 #include "web/json.hpp"
@@ -338,6 +339,8 @@ std::string Player::shown(const std::string& understood) {
     out["question"] = {{"ask", question->ask},
                        {"choices", question->choices},
                        {"drawn", is_answered_in_drawing(*question)}};
+    if (const std::optional<Point> origin = origin_on_page(session_))
+      out["question"]["origin"] = {origin->x(), origin->y()};
     for (const VertexChoice& half : question->pair)
       out["question"]["pair"].push_back({{"of", half.shape}, {"vertices", half.vertices}});
   }
@@ -353,7 +356,9 @@ std::string Player::shown(const std::string& understood) {
                       {"right", session_.right_answers()},
                       {"chosen", last.chosen},
                       {"answer", last.right}};
-    if (last.pointed && last.place)
+    if (last.pointed && last.origin)
+      out["answers"]["turned"] = Numbers(lesson)(last.turned());
+    else if (last.pointed && last.place)
       out["answers"]["away"] = Numbers(lesson)((*last.pointed - *last.place).norm());
   }
   if (practising_) {

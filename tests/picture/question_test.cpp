@@ -47,22 +47,76 @@ Lesson asking(const std::string& id, std::vector<LessonQuestion> questions) {
 
 TEST(QuestionFrames, OfThePentagon) {
   const std::vector<Asked> all = asked(testing::shipped_lesson("polygon-evolution"));
-  ASSERT_EQ(all.size(), 3u);
-  EXPECT_EQ(all[0].question.caption, "Question: which vertex of ABCDE lies farthest along d?");
-  EXPECT_EQ(all[0].question.question->choices, (Choices{"A", "B", "C", "D", "E"}));
-  EXPECT_EQ(all[0].question.question->answer, "D");
-  EXPECT_TRUE(all[0].answer.caption.starts_with("Answer: D lies farthest along d"));
-  EXPECT_EQ(all[0].question.position, "iteration 2 · question");
-  EXPECT_EQ(all[1].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
-  EXPECT_EQ(all[1].question.question->answer, "E");
-  EXPECT_EQ(all[2].question.caption, "Question: GJK stops here. Why?");
-  EXPECT_EQ(all[2].question.question->choices,
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].question.question->answer, "towards Q");
+  EXPECT_EQ(all[1].question.caption, "Question: which vertex of ABCDE lies farthest along d?");
+  EXPECT_EQ(all[1].question.question->choices, (Choices{"A", "B", "C", "D", "E"}));
+  EXPECT_EQ(all[1].question.question->answer, "D");
+  EXPECT_TRUE(all[1].answer.caption.starts_with("Answer: D lies farthest along d"));
+  EXPECT_EQ(all[1].question.position, "iteration 2 · question");
+  EXPECT_EQ(all[2].question.question->choices, (Choices{"none", "C", "D", "E", "two of them"}));
+  EXPECT_EQ(all[2].question.question->answer, "E");
+  EXPECT_EQ(all[3].question.caption, "Question: GJK stops here. Why?");
+  EXPECT_EQ(all[3].question.question->choices,
             (Choices{"no vertex lies farther along d than P", "P has reached Q",
                      "all vertices of ABCDE have been in S"}));
-  EXPECT_EQ(all[2].question.question->answer, "no vertex lies farther along d than P");
-  EXPECT_NE(all[2].answer.detail.find("P is still 1.609 from Q. S has had 3 of 5 vertices"),
+  EXPECT_EQ(all[3].question.question->answer, "no vertex lies farther along d than P");
+  EXPECT_NE(all[3].answer.detail.find("P is still 1.609 from Q. S has had 3 of 5 vertices"),
             std::string::npos)
-      << all[2].answer.detail;
+      << all[3].answer.detail;
+}
+
+TEST(QuestionFrames, ADirectionLeadsFromPAlongD) {
+  for (const std::string id : {"polygon-evolution", "polygons-gjk", "round-shapes"}) {
+    const LessonRun run = run_lesson(asking(id, {{"direction", {}}}));
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    int questions = 0;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (!texts[i].question) continue;
+      ++questions;
+      const FrameQuestion& asked = *texts[i].question;
+      const Frame& frame = run.frames[i];
+      const WideState& after =
+          run.run(frame).trace.steps[static_cast<std::size_t>(frame.answering_step)].after;
+      const Eigen::Vector2d way = *asked.place - *asked.origin;
+      EXPECT_NEAR(in_plane(after.d).normalized().dot(way.normalized()), 1.0, 1e-12) << id;
+      EXPECT_EQ(asked.choices.size(), 4u);
+      // The choices lead to four sides.
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Eigen::Vector2d to = in_plane(asked.spots[k]->to) - *asked.origin;
+        EXPECT_EQ(to.dot(way) > 0.5 * way.squaredNorm(), asked.choices[k] == asked.answer) << id;
+        EXPECT_NEAR(to.norm(), way.norm(), 1e-12);
+      }
+    }
+    EXPECT_GE(questions, 2) << id;
+  }
+  EXPECT_TRUE(asked(asking("polyhedra-gjk", {{"direction", {}}})).empty());
+}
+
+/// The area of a triangle, negative if it is clockwise.
+double area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  return 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
+}
+
+TEST(QuestionFrames, AWeightIsZeroOnTheEdgeOfTheOtherVertices) {
+  const LessonRun run = run_lesson(asking("triangle-barycentric", {{"what-if", {}}}));
+  EffectGraph effects(run);
+  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  int questions = 0;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!texts[i].question) continue;
+    ++questions;
+    const PositionedRun& at = run.run(run.frames[i]);
+    const Eigen::Vector2d q = in_plane(at.x().world[0]);
+    const std::vector<Eigen::Vector2d> t = in_plane(at.y().world);
+    const std::map<double, std::string> opposite = {
+        {area(q, t[1], t[2]), "BC"}, {area(q, t[2], t[0]), "CA"}, {area(q, t[0], t[1]), "AB"}};
+    EXPECT_EQ(texts[i].question->answer, opposite.rbegin()->second) << i;
+    EXPECT_EQ(texts[i].question->choices.size(), 3u);
+    EXPECT_NE(texts[i + 1].detail.find("it is 0 on the line"), std::string::npos);
+  }
+  EXPECT_GT(questions, 5);
 }
 
 TEST(QuestionFrames, WhyARunEndsHasOneTrueReasonAndTwoThatItRefutes) {

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 
 #include "fonts.hpp"
 #include "frames/spots.hpp"
@@ -60,6 +62,30 @@ TEST_F(Pointing, ARegionOfATriangleIsWhereOneClicks) {
   EXPECT_EQ(chosen_at(on_page(mean_of({0}))), words.face(gjk::face_of(0)));
   EXPECT_EQ(chosen_at(on_page(mean_of({1, 2}))),
             words.face(static_cast<gjk::Face>(gjk::face_of(1) | gjk::face_of(2))));
+}
+
+TEST_F(Pointing, ADirectionIsDraggedFromP) {
+  open("polygons-gjk", "direction");
+  const std::optional<Point> origin = origin_on_page(session);
+  ASSERT_TRUE(origin);
+  const FrameQuestion asked = *session.question();
+  const Point way = (on_page(in_space(*asked.place), 1) - *origin).normalized();
+  EXPECT_NEAR((on_page(in_space(*asked.origin), 1) - *origin).norm(), 0.0, 1e-9);
+  // Turned by a fifth of a quarter, and by three quarters.
+  const auto at = [&](double degrees) {
+    return Point(*origin + 70.0 * (Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0) * way));
+  };
+  EXPECT_EQ(chosen_at(at(18.0)), asked.answer);
+  EXPECT_EQ(chosen_at(at(-18.0)), asked.answer);
+  EXPECT_EQ(chosen_at(at(180.0)), "away from O");
+  EXPECT_NE(chosen_at(at(68.0)), asked.answer);
+  // The world has no P.
+  EXPECT_EQ(chosen_at(session.views()[0].card.center()), "");
+  const auto found = pointed_choice(session, hand, {}, at(18.0));
+  session.grade(found->choice, found->place);
+  EXPECT_NEAR(session.answers().back().turned(), 18.0, 1e-9);
+  EXPECT_TRUE(session.answers().back().is_right());
+  EXPECT_FALSE(origin_on_page(session)) << "nothing is asked for";
 }
 
 TEST_F(Pointing, InSpaceAFaceOfThePolytopeIsWhereOneClicks) {

@@ -44,7 +44,8 @@ int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
 Frame path_asking(const LessonRun&, const Frame& frame) { return {.run = frame.run}; }
 
 constexpr AskInfo kRegionAtPosition{asks::kRegion.name, asks::kRegion.meaning, "at position"};
-constexpr std::array kPathAsks = {kRegionAtPosition, asks::kClosest, asks::kSign, asks::kFoot};
+constexpr std::array kPathAsks = {kRegionAtPosition, asks::kClosest, asks::kSign, asks::kFoot,
+                                  asks::kWhatIf};
 
 }  // namespace
 

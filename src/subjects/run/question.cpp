@@ -201,6 +201,56 @@ class Asking {
                     name_a, name_b, story_.q);
   }
 
+  void what_if() {
+    const WideSimplex& simplex = before_.simplex;
+    const gjk::Barycentric<double, 2> weights = gjk::barycentric(in_plane(simplex), simplex.all());
+    int lost = 0;
+    for (int i = 1; i < simplex.count; ++i) {
+      if (weights.numerator[i] > weights.numerator[lost]) lost = i;
+    }
+    const char letter = "uvw"[lost];
+    const std::string name = words_.vertex(lost);
+    for (int i = 0; i < simplex.count; ++i) {
+      const auto rest = static_cast<gjk::Face>(simplex.all() & ~gjk::face_of(i));
+      add_face(rest);
+      if (i == lost) asked_.answer = asked_.choices.back();
+    }
+    const std::string rest = asked_.answer;
+    asked_.refuted =
+        simplex.count == 2
+            ? fmt::format("{} is the share of {} between G and {}: it is 0 where G is {}.", letter,
+                          words_.face(simplex.all()), rest, rest)
+            : fmt::format("{} is the area {}{} in shares of the whole: it is 0 on the line {}.",
+                          letter, story_.q, rest, rest);
+    text_.caption = fmt::format(
+        "Question: what if {} moved until {}, the weight of {}, is 0? Point at the {} it could "
+        "then stand {}.",
+        story_.q, letter, name, simplex.count == 2 ? "vertex" : "edge",
+        simplex.count == 2 ? "at" : "on");
+  }
+
+  void direction() {
+    const bool in_world = run_.point_query();
+    const ViewKind view = in_world ? ViewKind::world : ViewKind::difference;
+    const auto shown = [&](const Eigen::Vector2d& w) { return in_world ? world(w) : w; };
+    const Eigen::Vector2d from = shown(in_plane(before_.p));
+    const Eigen::Vector2d way = in_plane(step_.after.d).normalized() * std::sqrt(step_.after.p_sq);
+    const Eigen::Vector2d left(-way.y(), way.x());
+    const auto add = [&](std::string choice, const Eigen::Vector2d& to) {
+      asked_.choices.push_back(std::move(choice));
+      asked_.spots.push_back(Spot{view, from, Eigen::Vector2d(from + to)});
+    };
+    add("away from " + story_.q, -way);
+    add(fmt::format("sideways, with {} on the left", story_.q), -left);
+    add(fmt::format("sideways, with {} on the right", story_.q), left);
+    add("towards " + story_.q, way);
+    asked_.answer = asked_.choices.back();
+    asked_.origin = from;
+    asked_.place = from + way;
+    text_.caption =
+        "Question: which way does d lead, along which GJK looks for a vertex? Drag it from P.";
+  }
+
  private:
   [[nodiscard]] std::string true_reason(gjk::StopReason stop) const {
     using Stop = gjk::StopReason;
@@ -270,6 +320,8 @@ void question(const Story& story, FrameText& text) {
   if (ask == asks::kClosest.name) asking.closest();
   if (ask == asks::kSign.name) asking.sign();
   if (ask == asks::kFoot.name) asking.foot();
+  if (ask == asks::kWhatIf.name) asking.what_if();
+  if (ask == asks::kDirection.name) asking.direction();
 }
 
 void closest_question(const Story& story, FrameText& text) {
