@@ -12,7 +12,7 @@ namespace {
 void frames(LessonRun& run, int index) {
   const int steps = run.algorithm_traces[static_cast<std::size_t>(index)]->steps();
   if (!run.lesson.path_of_shapes) return add_algorithm_frames(run, index);
-  run.frames.push_back({.run = index, .step = steps});
+  run.frames.push_back({.run = index, .step = steps > 0 ? steps : -1});
   if (steps > 0 && index + 1 == static_cast<int>(run.runs.size()))
     run.frames.push_back({.run = index, .step = steps, .part = 0});
 }
