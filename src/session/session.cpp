@@ -23,6 +23,7 @@
 #include "subjects/growth/growth.hpp"
 #include "subjects/hill_climbing/growth.hpp"
 #include "subjects/subjects.hpp"
+#include "subjects/walk_in_space/growth.hpp"
 
 namespace gjkscope {
 namespace {
@@ -96,6 +97,7 @@ struct Session::Shown {
     if (before) shown.effects.take_over<Growth>(*before);
     if (before) shown.effects.take_over<ClimbGrowth>(*before);
     if (before) shown.effects.take_over<FaceGrowth>(*before);
+    if (before) shown.effects.take_over<SpaceWalkGrowth>(*before);
     return {shown.run, shown.effects, fonts};
   }
 };

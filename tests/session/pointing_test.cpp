@@ -155,6 +155,25 @@ TEST_F(Pointing, InSpaceARegionOfABodyIsPointedAtByItsVertexEdgeOrFace) {
   EXPECT_GT(faces, 0);
 }
 
+TEST_F(Pointing, InSpaceTheNextFeatureOfAWalkIsPointedAt) {
+  open("lin-canny-in-space", "feature-in-space");
+  session.set_eye({-45.0, 30.0});
+  const LessonShape& x = session.lesson().x();
+  const std::vector<Vector3d>& world = session.run().run(session.frame()).x().world;
+  int pointed = 0;
+  for (const std::string& choice : session.question()->choices) {
+    if (!choice.starts_with("edge")) continue;
+    Vector3d middle = Vector3d::Zero();
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (choice.substr(5, 2).find(x.vertex_names[i]) != std::string::npos)
+        middle += 0.5 * world[i];
+    }
+    EXPECT_EQ(chosen_at(on_page(middle)), choice);
+    ++pointed;
+  }
+  EXPECT_EQ(pointed, 3);
+}
+
 TEST_F(Pointing, ASupportPointIsTwoHalves) {
   open("polyhedra-gjk", "support");
   const std::vector<Vector3d>& y = session.run().run(session.frame()).y().world;

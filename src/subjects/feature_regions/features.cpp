@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 #include "gjk/vector.hpp"
 
@@ -58,6 +59,14 @@ std::vector<Feature> features_of(const Polyhedron& hull, std::span<const Vector3
     at(i).borders.push_back(
         {{normal, gjk::dot(normal, points[static_cast<std::size_t>(at(i).vertices[0])])}});
   }
+  return out;
+}
+
+std::string name_of(const Feature& feature, const LessonShape& shape) {
+  constexpr std::array<std::string_view, kKinds> kNames = {"face ", "edge ", "vertex "};
+  std::string out(kNames[static_cast<std::size_t>(feature.kind())]);
+  for (const int vertex : feature.vertices)
+    out += shape.vertex_names[static_cast<std::size_t>(vertex)];
   return out;
 }
 

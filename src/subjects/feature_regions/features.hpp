@@ -11,6 +11,7 @@
 
 #include <span>
 
+#include "lesson/lesson.hpp"
 #include "subjects/space/region.hpp"
 
 namespace gjkscope::cells {
@@ -36,6 +37,9 @@ struct Feature {
   /// The border that a point lies farthest beyond, or least inside of.
   [[nodiscard]] const Border& tightest(const Eigen::Vector3d& q) const;
 };
+
+/// "face KLM"
+[[nodiscard]] std::string name_of(const Feature& feature, const LessonShape& shape);
 
 /// Faces, edges and vertices of a hull; none where it is flat.
 [[nodiscard]] std::vector<Feature> features_of(const Polyhedron& hull,

@@ -165,10 +165,7 @@ Json RegionsTrace::json(const Lesson& lesson, const PositionedRun&) const {
 std::string RegionsTrace::name(const Lesson& lesson, std::size_t body, int feature) const {
   const LessonShape& shape = lesson.bodies[body];
   if (feature < 0) return shape.name;
-  const Feature& of = features[body][static_cast<std::size_t>(feature)];
-  constexpr std::array<std::string_view, 3> kNames = {"face ", "edge ", "vertex "};
-  std::string out(kNames[static_cast<std::size_t>(of.kind())]);
-  for (const int vertex : of.vertices) out += shape.vertex_names[static_cast<std::size_t>(vertex)];
+  const std::string out = cells::name_of(features[body][static_cast<std::size_t>(feature)], shape);
   return lesson.x().vertices.size() == 1 ? out : fmt::format("{} of {}", out, shape.name);
 }
 

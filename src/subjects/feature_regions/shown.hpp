@@ -46,6 +46,9 @@ struct Shown {
   }
   /// The feature that the step is about; -1: none.
   [[nodiscard]] int feature_index() const { return told.feature(at()); }
+  [[nodiscard]] const Feature& feature(int index) const {
+    return told.features[at().body][static_cast<std::size_t>(index)];
+  }
   [[nodiscard]] std::string name(int feature) const {
     return told.name(lesson, at().body, feature);
   }

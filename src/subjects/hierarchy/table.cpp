@@ -8,8 +8,6 @@
 namespace gjkscope {
 namespace {
 
-using toml_file::Field;
-
 constexpr double kLeastTile = 1e-3;
 
 std::vector<LessonKey> tree_keys() {
@@ -26,7 +24,7 @@ ActTable read_trees(const TableSource& source) {
   LessonTrees trees;
   trees.volumes =
       source.reader.choice<VolumeKind>(source.table["volumes"], "volume").value_or(trees.volumes);
-  const Field tile = source.table["tile"];
+  const toml_file::Field tile = source.table["tile"];
   trees.tile = source.reader.number(tile, kLeastTile, limits::kLargest).value_or(trees.tile);
   if (tile && trees.volumes != VolumeKind::tiles)
     source.problems.add(tile.place(), "'tile' without tiles", "volumes = \"tiles\"");

@@ -93,6 +93,14 @@ void end_of_way(SceneBuilder& scene, const std::vector<Point>& points) {
   if (before != points.rend()) scene.add("path.end", Arrow{*before, points.back()});
 }
 
+/// The middle of a shape; in space of its vertices.
+Point middle_of(const SceneBuilder& scene, const Body& body) {
+  if (scene.run.lesson.dimension == 2) return scene.at(centroid(in_plane(body.world)));
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& vertex : body.world) sum += vertex;
+  return scene.at(sum / static_cast<double>(body.world.size()));
+}
+
 void path(SceneBuilder& scene) {
   // Arrows stand in place of a way.
   if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
@@ -101,8 +109,9 @@ void path(SceneBuilder& scene) {
   if (path.frames == 0) return;
   for (std::size_t body = 0; body < path.motions.size(); ++body) {
     const Lesson& lesson = scene.run.lesson;
-    if (!scene.run.point_query()) {
-      const Point middle = scene.at(centroid(in_plane(scene.positioned.bodies[body].world)));
+    // In space the names of vertices tell whose they are.
+    if (!scene.run.point_query() && scene.run.lesson.dimension == 2) {
+      const Point middle = middle_of(scene, scene.positioned.bodies[body]);
       const std::string& name = lesson.bodies[body].name;
       const bool moves = !path.motions[body].points.empty();
       auto& labels = moves ? scene.out.moving_labels : scene.out.fixed_labels;
@@ -113,7 +122,7 @@ void path(SceneBuilder& scene) {
     if (path.motions[body].points.empty()) continue;
     std::vector<Point> points;
     for (const PositionedRun& run : scene.run.runs)
-      points.push_back(scene.at(centroid(in_plane(run.bodies[body].world))));
+      points.push_back(middle_of(scene, run.bodies[body]));
     scene.add("path", Polyline{points});
     for (std::size_t i = 1; i < points.size(); ++i)
       scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
