@@ -77,9 +77,9 @@ void run_stop_tests(State<R, D>& state, const gjk::Query<S, D>& query, Rec& reco
   for (int i = D - 1; i >= 0; --i) {
     if (nearest_corner(state, i).pair == state.support.pair) repeated = i;
   }
-  bool is_seen = repeated < 0;
+  bool is_seen = true;
   if constexpr (D == 3) {
-    is_seen = is_seen && space::detail::sees(state.polytope, state.face, state.support.w);
+    is_seen = repeated < 0 && space::detail::sees(state.polytope, state.face, state.support.w);
   }
   const Vec<R, D> beyond = state.support.w - nearest_corner(state, 0).w;
   const R farther = is_seen ? gjk::dot(state.n, beyond) : R(0);

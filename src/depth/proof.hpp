@@ -76,12 +76,4 @@ template <class R, class S, int D>
   return most;
 }
 
-/// A bound of how far Z reaches from what `careful_reach` has computed.
-template <class R, int D>
-[[nodiscard]] R reach_above(const R& reach, const gjk::Prepared<R, D>& prepared) {
-  const R rounding =
-      R(kReachRoundings<D>) * gjk::ScalarTraits<R>::unit_roundoff() * gjk::magnitude(reach);
-  return reach + R(rounding + prepared.careful_error());
-}
-
 }  // namespace depth::detail

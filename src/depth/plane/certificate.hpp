@@ -187,7 +187,8 @@ template <class R, class S>
   if (is_certain) out.lower = nearest.lower - few * nearest.value;
 
   const R reach = careful_reach(out.direction, query, prepared);
-  out.upper = gjk::larger(reach_above(reach, prepared), out.lower);
+  out.upper = gjk::larger(R(reach + R(kReachRoundings<2>) * u * gjk::magnitude(reach) + careful),
+                          out.lower);
   out.depth = gjk::smaller(gjk::larger(nearest.value, out.lower), out.upper);
   const R unit = u * Traits::root(size);
   out.is_tight = is_certain && reach - nearest.value <= R(kAllowedGap) * unit &&

@@ -127,7 +127,8 @@ template <class R, class S>
                                 const gjk::Prepared<R, 3>& prepared) {
   using Word = gjk::DoubleWord<R>;
   const space::Face<R>& face = state.polytope.faces[state.face];
-  const R unit = gjk::ScalarTraits<R>::unit_roundoff() * size_of(state.polytope);
+  const R u = gjk::ScalarTraits<R>::unit_roundoff();
+  const R unit = u * size_of(state.polytope);
   Proof<R, 3> out;
   out.lower = distance_below(state, prepared);
   R reach(0);
@@ -148,7 +149,8 @@ template <class R, class S>
   const auto is_close = [&] { return reach - nearest <= R(kAllowedGap) * unit; };
   if (gjk::is_zero(out.direction) || !is_close()) look_along(state.n);
 
-  out.upper = gjk::larger(reach_above(reach, prepared), out.lower);
+  const R rounding = R(kReachRoundings<3>) * u * gjk::magnitude(reach) + prepared.careful_error();
+  out.upper = gjk::larger(R(reach + rounding), out.lower);
   out.depth = gjk::smaller(gjk::larger(reach, out.lower), out.upper);
   out.is_tight =
       R(0) < out.lower && is_close() && out.upper - out.lower <= R(kAllowedWidthInSpace) * unit;
