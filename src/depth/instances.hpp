@@ -2,7 +2,7 @@
 // Penetration depth in the scalars of lessons, compiled once. A source that includes this, and
 // links gjkscope::depth, calls the compiled code instead of compiling it again.
 
-#include "depth/space/depth.hpp"
+#include "depth/depth.hpp"
 #include "exact/instances.hpp"
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type takes none.

@@ -6,7 +6,7 @@
 // any direction Z reaches at least as far as it is deep, so the depth is the least reach over all
 // normals of these: Z itself need not be built.
 
-#include "depth/space/depth.hpp"
+#include "depth/depth.hpp"
 #include "outlines/polyhedron.hpp"
 #include "truth.hpp"
 

@@ -2,7 +2,7 @@
 // Penetration depth as the algorithm of a lesson: run in the lesson's scalar, widened to double,
 // and told as JSON and as text.
 
-#include "depth/space/depth.hpp"
+#include "depth/depth.hpp"
 #include "exact/instances.hpp"
 #include "lesson/algorithm.hpp"
 #include "run/run.hpp"

@@ -39,14 +39,12 @@ class DepthWidener {
   }
 
   [[nodiscard]] depth::Record<double> operator()(const depth::Record<S>& record) const {
-    return {edges(record.edges), scan(record.scan_x), scan(record.scan_y), tests(record.stop_tests),
-            record.outgrown};
+    return {notes(record), edges(record.edges)};
   }
 
   [[nodiscard]] depth::space::Record<double> operator()(
       const depth::space::Record<S>& record) const {
-    return {record.faces,    scan(record.scan_x), scan(record.scan_y), tests(record.stop_tests),
-            record.outgrown, record.added};
+    return {notes(record), record.faces, record.added};
   }
 
   [[nodiscard]] depth::Result<double, D> operator()(const depth::Result<S, D>& result) const {
@@ -107,6 +105,9 @@ class DepthWidener {
     for (const gjk::ScanEntry<S>& entry : entries)
       out.push_back({entry.index, widened(entry.value) * factor, entry.improves});
     return out;
+  }
+  [[nodiscard]] depth::Notes<double> notes(const depth::Notes<S>& value) const {
+    return {scan(value.scan_x), scan(value.scan_y), tests(value.stop_tests), value.outgrown};
   }
   [[nodiscard]] std::vector<depth::StopTest<double>> tests(
       const std::vector<depth::StopTest<S>>& values) const {

@@ -1,5 +1,6 @@
 #pragma once
-// How far Z reaches along a direction: by so much X can leave Y. In the plane and in space.
+// What proofs of both dimensions have: what is proved, and how far Z reaches along a direction, by
+// which X can leave Y.
 
 #include "gjk/proof/careful.hpp"
 #include "gjk/support.hpp"
@@ -7,6 +8,21 @@
 namespace depth::detail {
 
 using gjk::Vec;
+
+/// In the unit of the run.
+template <class R, int D>
+struct Proof {
+  bool is_tight = false;  ///< Certain, and as close as rounding lets bounds be.
+  R depth = R(0);
+  R lower = R(0);
+  R upper = R(0);
+  Vec<R, D> direction = Vec<R, D>::Zero();
+  gjk::Simplex<R, D> face;  ///< See Result::face; `contact_face` sets it.
+};
+
+/// How much farther than the nearest face Z may reach along its normal, in u times the size of Z,
+/// before rounding must have kept it from growing: tests/depth demands depths within 4.
+inline constexpr int kAllowedGap = 2;
 
 /// How often `careful_reach` rounds at worst, and the bound made of it: in each choice of a vertex,
 /// the product, three times in the direction, whose length is not quite 1 (in space four), and the
