@@ -15,7 +15,8 @@
 namespace gjkscope {
 namespace {
 
-constexpr double kGap = 8.0;  // between cells
+constexpr double kGap = 8.0;          // between cells
+constexpr double kNarrowest = 110.0;  // cell: its caption needs so much
 constexpr double kCorner = 6.0;
 constexpr double kLine = 20.0;   // of a cell's caption
 constexpr double kInside = 8.0;  // of a cell, beside its caption
@@ -113,7 +114,9 @@ void draw_cell(Scene& scene, Scene step, const Rect& cell, const Fonts& fonts) {
       const Rect box = box_of(fonts, std::get<Text>(mark.shape));
       const bool is_free = std::none_of(taken.begin(), taken.end(),
                                         [&](const Rect& other) { return overlap(box, other); });
-      if (!is_free || placer.is_crossed(box) || leader_line(label, box)) {
+      const bool is_in = (box.min.array() >= cell.min.array()).all() &&
+                         (box.max.array() <= cell.max.array()).all();
+      if (!is_in || !is_free || placer.is_crossed(box) || leader_line(label, box)) {
         placer.take_back(label.id);
         continue;
       }
@@ -181,7 +184,7 @@ Scene trail_scene(const LessonRun& run, EffectGraph& effects, std::size_t view,
     const Point stage = each - Point(0.0, kLine);
     const Point room = stage - Point::Constant(2.0 * room_around(stage));
     const double scale = (room.array() / box.array()).minCoeff();
-    if (c > 1 && scale <= largest) continue;
+    if (c > 1 && (each.x() < kNarrowest || scale <= largest)) continue;
     columns = c;
     largest = scale;
     size = each;
