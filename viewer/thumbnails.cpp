@@ -3,6 +3,7 @@
 #include "frames/frame.hpp"
 #include "frames/stage.hpp"
 #include "lesson/load.hpp"
+#include "run/trail.hpp"
 #include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
@@ -24,7 +25,7 @@ Picture thumbnail(Lesson lesson, const Fonts& fonts) {
     pictures.lay_out(page, {Sight{camera_of(run, view, usual), page.width / page.height}},
                      LabelScope::frame);
   }
-  Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
+  Picture picture = pictures.picture(answering_index(run));
   std::erase_if(picture.marks, [](const Mark& mark) {
     return std::holds_alternative<Text>(mark.shape) || mark.role == "leader" ||
            mark.role == "label.halo" || mark.role == "view-title.box";

@@ -14,10 +14,9 @@
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
 #include "picture/part.hpp"
-#include "picture/plot.hpp"
 #include "picture/text_box.hpp"
 #include "run/graph.hpp"
-#include "run/run.hpp"
+#include "run/trail.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -153,59 +152,13 @@ class SheetWriter {
     shown.phases.clear();
     shown.table = {};
     shown.views = {shown.views.back()};
-    shown.views.front().title.clear();
-    std::erase_if(shown.views.front().effects, [](const std::string& name) {
-      return !find_term(vocabulary().effects, name)->table.empty();
-    });
     const LessonRun run = run_lesson(std::move(shown));
-    // The frame of each iteration that has S, P, d and V; of the last one the answer.
-    std::vector<int> frames;
-    int iteration = 0;
-    for (int i = 0; i < static_cast<int>(run.frames.size()); ++i) {
-      const Frame& each = run.frames[static_cast<std::size_t>(i)];
-      if (each.step < 0) continue;
-      const bool is_next =
-          run.info(each).iteration != std::exchange(iteration, run.info(each).iteration);
-      if (is_next) frames.push_back(i);
-      if (run.step(each).phase <= gjk::Phase::support) frames.back() = i;
-    }
-    frames.back() = static_cast<int>(run.frames.size()) - 1;
     EffectGraph effects(run);
-    LessonPictures pictures(run, effects, fonts_, page(), LabelScope::frame);
-    std::size_t cell = 0;
-    for (const int each : frames) {
-      const std::string name = fmt::format("iteration {}", cell + 1);
-      add(pictures.picture(each), cell++, name);
-    }
-    bounds(run.runs.front(), cell++);
-    end_row(cell);
-  }
-
-  /// Both bounds of the distance after each iteration.
-  void bounds(const PositionedRun& run, std::size_t cell) {
-    PlotSeries upper{.style = PlotStyle::first, .name = "upper bound", .points = {}};
-    PlotSeries lower{.style = PlotStyle::second, .name = "lower bound", .points = {}};
-    for (std::size_t i = 0; i < run.bounds.size(); ++i) {
-      const double iteration = run.trace.steps[i].iteration;
-      for (PlotSeries* series : {&upper, &lower}) {
-        if (!series->points.empty() && series->points.back().x() == iteration)
-          series->points.pop_back();
-      }
-      upper.points.emplace_back(iteration, run.bounds[i].upper);
-      lower.points.emplace_back(iteration, run.bounds[i].lower);
-    }
-    double most = 0.0;
-    for (const Eigen::Vector2d& p : upper.points) most = std::max(most, p.y());
-    Plot plot;
-    plot.x = {.low = 0.0, .high = upper.points.back().x() + 1.0, .title = "iteration"};
-    plot.y = {.low = 0.0, .high = most > 0.0 ? 1.05 * most : 1.0, .title = "distance"};
-    plot.series = {std::move(upper), std::move(lower)};
-    const Rect area = slot(cell);
-    Picture drawn;
-    drawn.width = area.size().x();
-    drawn.height = area.size().y();
-    drawn.marks = plot_marks(plot, fonts_, {Point(0.0, 0.0), area.size()});
-    add(drawn, cell, "bounds of the distance");
+    const std::size_t cells = frames_of_trail(run).size() + 1;
+    const Page page{.width = width(), .height = slot(cells - 1).max.y() - y_, .bare = true};
+    LessonPictures pictures(run, effects, fonts_, page, LabelScope::frame);
+    add_part(picture_, pictures.picture(static_cast<int>(run.frames.size()) - 1), {kMargin, y_});
+    y_ += page.height;
   }
 
   /// The page of a picture, which holds the stage alone.

@@ -4,7 +4,9 @@
 
 #include "frames/spots.hpp"
 #include "lesson/prose.hpp"
+#include "run/trail.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/run/trail_words.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -25,6 +27,8 @@ FrameText frame_text(const LessonRun& run, EffectGraph& effects, const Frame& fr
     text.iteration = run.answering_iteration(frame);
   } else if (frame.step < 0 && act.algorithm == &kGjkAlgorithm) {
     (act.start ? act.start : captions::start)(story, text);
+  } else if (is_trail(frame)) {
+    captions::trail(story, text);
   } else {
     act.words(story, text);
     for (const SubjectParts* subject : all_subjects()) {

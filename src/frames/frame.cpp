@@ -14,11 +14,13 @@
 #include "frames/panel.hpp"
 #include "frames/stage.hpp"
 #include "frames/timeline.hpp"
+#include "frames/trail.hpp"
 #include "picture/close_up.hpp"
 #include "picture/layer.hpp"
 #include "picture/legend.hpp"
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
+#include "run/trail.hpp"
 #include "subjects/grid/grid.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
@@ -284,6 +286,10 @@ struct LessonPictures::View {
   int clip = -1;  ///< Index in the picture that is drawn.
   std::unique_ptr<View> close_up = nullptr;
 
+  /// The card below the title.
+  [[nodiscard]] Rect below_title() const {
+    return {{shown.card.min.x(), title_box.max.y()}, shown.card.max};
+  }
   /// Keeps labels off the title and the close-up.
   void reserve() {
     placer.reserve(title_box);
@@ -443,6 +449,13 @@ const Scene& LessonPictures::scene(View& view, std::size_t index) {
     const double farthest = view.is_cut ? HUGE_VAL : StageMap::kFarthest;
     const StageMap map(view.shown.card, view.shown.camera, farthest);
     const Frame& frame = run_.frames[index];
+    if (is_trail(frame)) {
+      const Rect area = view.below_title();
+      const Point inset = Point::Constant(kCardGap);
+      scene = trail_scene(run_, effects_, view.index, view.shown.camera,
+                          {area.min + Point(inset.x(), 4.0), area.max - inset}, fonts_);
+      return *scene;
+    }
     FrameInView in{&run_, &effects_, frame};
     if (run_.act->in_view != nullptr) in = run_.act->in_view(run_, effects_, frame, view.index);
     scene = stage_scene(*in.run, *in.effects, in.frame, view.of, map, fonts_, view.still_layers);
@@ -502,6 +515,7 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
     explained_.resize(run_.frames.size() * views_.size());
     std::vector<std::set<std::string_view>> roles(explained_.size());
     for (std::size_t at = 0; at < roles.size(); ++at) {
+      if (is_trail(run_.frames[at / views_.size()])) continue;  // it has no room for them
       for (const Mark& mark : scene(views_[at % views_.size()], at / views_.size()).marks)
         roles[at].insert(roles[at].end(), mark.role);
     }
@@ -591,7 +605,8 @@ void LessonPictures::draw_leader(Picture& picture, View& view, const LabelReques
 /// Marks and labels of a view, on a card that is there.
 void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
   place_fixed_labels(view, index);
-  const Rect& card = view.shown.card;
+  // Nothing moves between a trail, whose clips are others, and the frame before it.
+  const Rect card = is_trail(run_.frames[index]) ? view.below_title() : view.shown.card;
   view.clip = static_cast<int>(picture.clips.size());
   const Point border = Point::Constant(kCardBorder);
   picture.clips.push_back({card.min + border, card.max - border});
@@ -629,7 +644,7 @@ void LessonPictures::draw(Picture& picture, View& view, std::size_t index) {
 
 void LessonPictures::draw_pointed(Picture& picture, View& view, std::size_t index,
                                   std::span<const Subject> pointed) {
-  if (pointed.empty() || !shows_shapes(view.shown.kind)) return;
+  if (pointed.empty() || !shows_shapes(view.shown.kind) || is_trail(run_.frames[index])) return;
   const Scene& of_frame = scene(view, index);
   const StageMap map(view.shown.card, view.shown.camera);
   SceneBuilder more(run_, effects_, run_.frames[index], view.of, map);
@@ -721,10 +736,14 @@ Picture LessonPictures::picture(int index, const FrameText& text,
       page.append(std::move(explained));
     }
     draw_pointed(picture, view, at, pointed);
-    if (view.close_up) draw_close_up(picture, *view.close_up, at);
+    if (view.close_up && !is_trail(run_.frames[at])) draw_close_up(picture, *view.close_up, at);
     page.add("view-title.box",
              Box{{card.min + Point::Constant(kCardBorder), view.title_box.max - Point(6.0, 3.0)},
                  kCardCorner - kCardBorder});
+    if (is_trail(run_.frames[at]) && !has_cells(run_, i)) {
+      page.write("view-title", card.min + Point(14.0, 26.0), "Both bounds", type::kViewTitle);
+      continue;
+    }
     for (std::size_t line = 0; line < view.title.size(); ++line) {
       const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
       page.write("view-title", card.min + start, view.title[line], type::kViewTitle);

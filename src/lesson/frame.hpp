@@ -20,7 +20,7 @@ struct Frame {
   int step = -1;
 
   /// The part of its step, for acts that take steps apart, from 0 in their order; -1: all of it.
-  /// The act alone knows its meaning (part_of in picture/act.hpp).
+  /// The act alone knows its meaning (part_of in picture/act.hpp), but for kTrail (run/trail.hpp).
   int part = -1;
 
   int question = -1;        ///< Index into Lesson::questions: this frame asks it, over what the

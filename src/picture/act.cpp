@@ -6,6 +6,7 @@
 
 #include "lesson/names.hpp"
 #include "run/questions.hpp"
+#include "run/trail.hpp"
 
 namespace gjkscope {
 
@@ -19,6 +20,7 @@ std::string position_in_run(const LessonRun& run, int index) {
   const bool asks = asks_later(run, index);
   if (frame.step < 0)
     return asks ? "start" : fmt::format("start · {} of {}", index + 1, run.frames.size());
+  if (is_trail(frame)) return "the run at a glance";
   const WideStep& step = run.step(frame);
   const std::string_view phase = name_of(step.phase);
   if (asks) return fmt::format("iteration {} · {}", step.iteration, phase);
@@ -43,6 +45,7 @@ std::string position_in_lesson(const LessonRun& run, int index) {
 
 Tick tick_of_step(const LessonRun& run, const Frame& frame) {
   if (frame.step < 0) return {.group = "start", .label = "start"};
+  if (is_trail(frame)) return {.group = "at a glance", .label = "at a glance"};
   const WideStep& step = run.step(frame);
   const std::string phase(name_of(step.phase));
   std::string dropped;

@@ -13,6 +13,7 @@
 #include "lesson/vocabulary.hpp"
 #include "run/query.hpp"
 #include "run/questions.hpp"
+#include "run/trail.hpp"
 
 namespace gjkscope {
 namespace {
@@ -235,6 +236,7 @@ const WideStep& LessonRun::step(const Frame& frame) const {
 
 StepInfo LessonRun::info(const Frame& frame) const {
   if (frame.step < 0) return {0, "start"};
+  if (is_trail(frame)) return {run(frame).trace.result.iterations, "trail", true};
   const AlgorithmTrace& trace = algorithm_trace(frame);
   if (frame.step < trace.steps()) return trace.info(frame.step);
   return {trace.info(trace.steps() - 1).iteration, "answer", true};

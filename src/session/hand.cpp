@@ -10,6 +10,7 @@
 #include "picture/plot.hpp"
 #include "picture/scene.hpp"
 #include "picture/text_box.hpp"
+#include "run/trail.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 
@@ -113,7 +114,7 @@ Vector2d Hand::round_step(std::size_t view) const {
 }
 
 std::optional<Point> Hand::handle() const {
-  if (!is_shape(selected)) return std::nullopt;
+  if (!is_shape(selected) || is_trail(session_.frame())) return std::nullopt;
   const auto& world = session_.run().run(session_.frame()).bodies[body_of(selected)].world;
   const std::vector<LessonPictures::ShownView> views = session_.views();
   const auto view = std::find_if(views.begin(), views.end(),
@@ -161,6 +162,7 @@ std::optional<Hand::WithVertex> Hand::with_vertex(const Point& page, bool snaps)
   const std::optional<std::size_t> view = view_at(page);
   if (!view || session_.views()[*view].kind != ViewKind::world) return std::nullopt;
   if (session_.lesson().dimension == 3) return std::nullopt;  // a polyhedron has no edge to split
+  if (is_trail(session_.frame())) return std::nullopt;
   const Vector2d at = in_plane(to_view(*view, page));
   const LessonPictures::ShownView shown = session_.views()[*view];
   const double reach = 2.0 * kSlack * shown.camera.height / shown.card.size().y();

@@ -16,6 +16,7 @@
 #include "lesson/schema.hpp"
 #include "picture/words.hpp"
 #include "run/questions.hpp"
+#include "run/trail.hpp"
 #include "session/hit.hpp"
 #include "session/verdict_marks.hpp"
 #include "subjects/difference/minkowski.hpp"
@@ -593,7 +594,8 @@ std::optional<int> Session::next(Event event) const {
       case Event::vertex_dropped:
         return later.step >= 0 && !run().step(later).record.dropped.empty();
       case Event::run_ends:
-        return after == nullptr || after->run != later.run;
+        return !is_trail(later) &&
+               (after == nullptr || after->run != later.run || is_trail(*after));
     }
     return false;
   };
@@ -776,6 +778,7 @@ void Session::point_at(const std::vector<Subject>& vertices) {
 
 Subject Session::vertex_near(const Point& page, double reach) {
   Subject nearest;
+  if (is_trail(frame())) return nearest;
   double least = reach;
   const PositionedRun& shapes = run().run(frame());
   const auto seen = views();
@@ -809,7 +812,7 @@ const std::vector<FrameText>& Session::texts() const { return shown_->pictures.t
 std::vector<LessonPictures::ShownView> Session::views() const { return shown_->pictures.views(); }
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
-  if (!shows_shapes(lesson_.views[view].kind)) return;
+  if (!shows_shapes(lesson_.views[view].kind) || is_trail(frame())) return;
   sights_[view] = sight(camera, views()[view].card);
   lay_out(LabelScope::frame);
 }

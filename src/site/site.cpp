@@ -20,6 +20,7 @@
 #include "lesson/save.hpp"
 #include "paint/svg.hpp"
 #include "practice/practice.hpp"
+#include "run/trail.hpp"
 #include "site/still.hpp"
 #include "subjects/course_map/tiles.hpp"
 #include "subjects/subjects.hpp"
@@ -618,7 +619,7 @@ class SiteWriter {
     const LessonRun run = run_lesson(std::move(told));
     EffectGraph effects(run);
     LessonPictures pictures(run, effects, fonts_, {640.0, 360.0, 1.0, true});
-    Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
+    Picture picture = pictures.picture(answering_index(run));
     std::erase_if(picture.marks, [](const Mark& mark) {
       return std::holds_alternative<Text>(mark.shape) || mark.role == "view-title.box";
     });

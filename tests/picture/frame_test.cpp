@@ -20,6 +20,7 @@
 #include "picture/theme.hpp"
 #include "picture/words.hpp"
 #include "run/questions.hpp"
+#include "run/trail.hpp"
 #include "subjects/second_run/table.hpp"
 #include "subjects/study/table.hpp"
 #include "subjects/subjects.hpp"
@@ -409,9 +410,10 @@ TEST(Captions, TellTheRunOfThePentagon) {
   // Distance of (2.7, 2.3) from the line through (2.4, -0.4) and (0.9, 2.2), by the point-line
   // formula.
   const double distance = std::abs(2.6 * (2.7 - 2.4) + 1.5 * (2.3 + 0.4)) / std::hypot(2.6, 1.5);
-  EXPECT_TRUE(frames.back().text.detail.starts_with("The distance is " + fixed(distance, 3) +
-                                                    ": P lies on the segment CD."))
-      << frames.back().text.detail;
+  const FrameText& answer = frames[static_cast<std::size_t>(answering_index(run))].text;
+  EXPECT_TRUE(answer.detail.starts_with("The distance is " + fixed(distance, 3) +
+                                        ": P lies on the segment CD."))
+      << answer.detail;
   EXPECT_NEAR(distance, 1.6091, 5e-5);
   EXPECT_TRUE(frames[13].text.caption.starts_with("Answer: E. Q lies beyond CD, seen from E"));
   EXPECT_EQ(frames[14].text.caption, "E is dropped: P lies on CD, so the weight of E is 0.");
@@ -614,7 +616,7 @@ TEST(Panel, TheScanMarksTheSimplexOnceItIsAskedWhetherTheWinnerIsNews) {
   EXPECT_EQ(after(rows, "D", 2), "5.250") << "no less than C";
   const LessonRun right = run_lesson(testing::shipped_lesson("stop-edge-right"));
   const std::vector<std::string> no_scan =
-      texts_of_frame("stop-edge-right", right.frames.size() - 1);
+      texts_of_frame("stop-edge-right", static_cast<std::size_t>(answering_index(right)));
   EXPECT_EQ(std::count(no_scan.begin(), no_scan.end(), "in the simplex"), 0) << "nothing was found";
 }
 

@@ -10,6 +10,7 @@
 #include "lessons.hpp"
 #include "outlines/polygon.hpp"
 #include "picture/scene.hpp"
+#include "run/trail.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 
@@ -53,6 +54,38 @@ TEST_F(HandTest, PlacesOfAViewAndOfThePageAreTheSame) {
     EXPECT_LT((in_plane(hand.to_view(view, at(point, view))) - point).norm(), 1e-12);
   }
   EXPECT_FALSE(hand.view_at({-1.0, -1.0}));
+}
+
+TEST_F(HandTest, InATrailNothingCanBeTakenAndNoCameraMoves) {
+  open("polygons-gjk");
+  hand.selected = {Kind::shape_y};
+  session.go_to(session.frame_count() - 1);
+  ASSERT_TRUE(is_trail(session.frame()));
+  const Lesson before = session.lesson();
+  EXPECT_FALSE(hand.handle());
+  for (const std::size_t view : {0u, 1u}) {
+    const Rect card = session.views()[view].card;
+    EXPECT_FALSE(hand.with_vertex(at(y().front(), view), false));
+    EXPECT_EQ(session.vertex_near(at(y().front(), view), 20.0), Subject());
+    for (const double x : {0.25, 0.5, 0.75}) {
+      const Point from = card.min + x * card.size();
+      EXPECT_FALSE(drag(from, {30.0, 20.0}));
+    }
+    Camera camera = session.views()[view].camera;
+    camera.height *= 2.0;
+    session.set_camera(view, camera);
+    EXPECT_NE(session.views()[view].camera, camera);
+  }
+  EXPECT_EQ(session.lesson(), before);
+}
+
+TEST_F(HandTest, InATrailOfSpaceADragTurnsTheCells) {
+  open("polyhedra-gjk");
+  session.go_to(session.frame_count() - 1);
+  ASSERT_TRUE(is_trail(session.frame()));
+  const Picture before = session.picture();
+  EXPECT_TRUE(drag(session.views()[1].card.center(), {40.0, 0.0}));
+  EXPECT_NE(session.picture(), before);
 }
 
 TEST_F(HandTest, BesideAnEdgeThereIsAVertexToAdd) {

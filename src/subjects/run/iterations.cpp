@@ -1,4 +1,5 @@
 #include "run/questions.hpp"
+#include "run/trail.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/second_run/table.hpp"
 
@@ -11,7 +12,10 @@ bool ends_iteration(const LessonRun& run, int index, int step) {
          trace.steps[step + 1].iteration != trace.steps[step].iteration;
 }
 
-void iteration_frames(LessonRun& run, int index) { add_step_frames(run, index, ends_iteration); }
+void iteration_frames(LessonRun& run, int index) {
+  add_step_frames(run, index, ends_iteration);
+  add_trail(run);
+}
 
 }  // namespace
 

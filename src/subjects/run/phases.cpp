@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "run/questions.hpp"
+#include "run/trail.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/second_run/table.hpp"
 
@@ -18,7 +19,10 @@ bool is_chosen(const LessonRun& run, int index, int step) {
   return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
 }
 
-void phase_frames(LessonRun& run, int index) { add_step_frames(run, index, is_chosen); }
+void phase_frames(LessonRun& run, int index) {
+  add_step_frames(run, index, is_chosen);
+  add_trail(run);
+}
 
 }  // namespace
 

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "lesson/names.hpp"
 #include "outlines/polygon.hpp"
 #include "picture/story.hpp"
+#include "run/trail.hpp"
 #include "subjects/run/other_normal.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/run/trail_words.hpp"
 #include "subjects/scalars/subject.hpp"
 #include "subjects/support/slab.hpp"
 #include "subjects/support/subject.hpp"
@@ -389,6 +392,67 @@ void add(const Story& story, FrameText& text) {
                              story.words.vertex(count - 1), story.simplex_name());
   text.detail = fmt::format("Iteration {} asks again: which point of S is closest to {}?",
                             story.state.iteration, story.q);
+}
+
+namespace {
+
+/// Why a run ended, after "because".
+std::string why_ended(const Story& story) {
+  switch (story.state.stop) {
+    case gjk::StopReason::repeated_support:
+      return fmt::format("{} was in S already", story.run.pair_name(story.state.support.pair));
+    case gjk::StopReason::origin_inside:
+      return fmt::format("{} lies inside the {}", story.q, story.simplex_name());
+    case gjk::StopReason::zero_direction:
+      return fmt::format("P = {}, so that d = 0", story.q);
+    case gjk::StopReason::not_nearer:
+      return "P came no closer than in the iteration before";
+    case gjk::StopReason::no_progress:
+      return fmt::format("no point of {} lies farther along d than S", story.set_name());
+    case gjk::StopReason::within_tolerance:
+      return "the bounds were as close as the lesson asks";
+    default:
+      return "it had no more iterations";
+  }
+}
+
+}  // namespace
+
+void trail(const Story& story, FrameText& text) {
+  const int iterations = story.trace.result.iterations;
+  const std::string in = story.run.lesson.has_block(blocks::kScalars.name)
+                             ? fmt::format("In {} ", name_of(story.run.lesson.scalar))
+                             : std::string();
+  text.caption = fmt::format("{}GJK took {} iterations, and stopped because {}.", in, iterations,
+                             why_ended(story));
+  std::vector<double> lengths;
+  for (const WideStep& step : story.trace.steps) {
+    if (step.phase == gjk::Phase::closest) lengths.push_back(std::sqrt(step.after.p_sq));
+  }
+  const auto number = [&](double value) {
+    std::string digits = story.numbers(value);
+    return digits == story.numbers(0.0) ? std::string("0") : digits;
+  };
+  const std::string first = number(lengths.front());
+  const std::string last = number(lengths.back());
+  const bool is_nearer =
+      std::adjacent_find(lengths.begin(), lengths.end(), std::less_equal<>()) == lengths.end();
+  if (first == "0" && last == "0") {
+    text.detail = fmt::format("P = {} all along.", story.q);
+  } else if (is_nearer) {
+    text.detail =
+        fmt::format("Each iteration brings P closer to {}, from {} to {}.", story.q, first, last);
+  } else {
+    text.detail = fmt::format("P is {} from {} at first, and {} at last.", first, story.q, last);
+  }
+  const auto& [lower, upper] = story.run.bounds(story.frame);
+  const std::string low = number(lower);
+  const std::string high = number(upper);
+  text.detail += low == high ? fmt::format(" Both bounds meet at {}.", low)
+                             : fmt::format(" The distance lies between {} and {}.", low, high);
+  const int shown = static_cast<int>(kMostInTrail);
+  if (iterations > shown)
+    text.detail += fmt::format(" Iterations {} to {} are left out.", shown, iterations - 1);
 }
 
 namespace {
