@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "depth/space/depth.hpp"
+#include "depth/depth.hpp"
 #include "depths.hpp"
 
 namespace bench {

@@ -454,7 +454,7 @@ TEST(Captions, GiveTheSameWeightsFromGAndFromQ) {
       "G = uA + vB divides AB: from G to B it is u = 0.750 of the length, from A to G it is v = "
       "0.250.");
   EXPECT_EQ(frames[9].text.detail,
-            "So from Q itself: u = 3.354 / 4.472 = 0.750 and v = 1.118 / 4.472 = 0.250.");
+            "Thus from Q itself: u = 3.354 / 4.472 = 0.750 and v = 1.118 / 4.472 = 0.250.");
   EXPECT_NEAR(std::hypot(4.0, 2.0), 4.472, 5e-4);
   EXPECT_NEAR(0.75 * std::hypot(4.0, 2.0), 3.354, 5e-4);
 }

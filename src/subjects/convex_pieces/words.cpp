@@ -71,7 +71,7 @@ void words(const Story& story, FrameText& text) {
         fmt::format("Cutting does not take {}.", words_of(*shown.told.refusal, shown.lesson));
     text.detail = "It needs closed outlines that do not meet themselves or each other.";
   } else if (shown.step == nullptr) {
-    text.caption = "GJK needs convex shapes. So cut the shapes into convex pieces.";
+    text.caption = "GJK needs convex shapes. The shapes are cut into convex pieces.";
     text.detail = "The distance is the least over all pairs of pieces.";
   } else if (shown.is_answer) {
     const models::PiecesAnswer& result = shown.told.result;

@@ -47,7 +47,7 @@ void edges(const Story& story, FrameText& text) {
                   of_y + of_x == edges ? fmt::format(" = {} edges", edges)
                                        : std::string(", and parallel edges join"));
   text.detail =
-      "So Z could be built from both lists of edges, sorted by angle. GJK does not need Z.";
+      "Thus Z could be built from both lists of edges, sorted by angle. GJK does not need Z.";
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ void pairs(const Story& story, FrameText& text) {
         return;
       }
       text.caption = fmt::format(
-          "So the shortest arrow ends at the point of Z closest to O: both "
+          "Thus the shortest arrow ends at the point of Z closest to O: both "
           "lengths are {}.",
           story.numbers(story.trace.result.distance));
       text.detail = fmt::format("That is property 1: distance({}, {}) = distance(O, Z).", x, y);

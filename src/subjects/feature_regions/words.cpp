@@ -63,15 +63,16 @@ Words words_of_region(const Shown& shown) {
   if (!shown.holds())
     return {
         "{p} is not in the region of {f}: it lies {depth} beyond the plane of {beyond}.",
-        "So {beyond} has a point that is closer to {p} than {o} is. One plane refutes the pair."};
+        "Thus {beyond} has a point that is closer to {p} than {o} is. One plane refutes the pair."};
   if (shown.at().pair == 1 && shown.at().body == 1)
     return {
         "Another pair, that of a walk's end: x lies in the region of {f}, inside of all its "
         "planes.",
-        "So y is the point of {b} that is closest to x. The neighbours of one feature were enough "
+        "Thus y is the point of {b} that is closest to x. The neighbours of one feature were "
+        "enough "
         "to tell."};
   return {"{p} lies in the region of {f}, inside of all its {n} planes.",
-          "So {o} is the point of {b} that is closest to {p}. The neighbours of one feature were "
+          "Thus {o} is the point of {b} that is closest to {p}. The neighbours of one feature were "
           "enough to tell."};
 }
 
@@ -88,13 +89,14 @@ Words words_of(const Shown& shown) {
     case Phase::query:
       if (shown.feature_index() < 0)
         return {"{q} lies in {y}: no region outside holds it.", "The distance is 0."};
-      return {"{q} lies in the region of {f}: it is inside of all {n} planes.",
-              "So the closest point P lies on {f}, at distance {distance}. No other feature has to "
-              "be asked."};
+      return {
+          "{q} lies in the region of {f}: it is inside of all {n} planes.",
+          "Thus the closest point P lies on {f}, at distance {distance}. No other feature has to "
+          "be asked."};
     case Phase::region:
       return words_of_region(shown);
     case Phase::plane:
-      return {"So all of {b} lies beyond the plane through {o}, normal to the segment xy.",
+      return {"Thus all of {b} lies beyond the plane through {o}, normal to the segment xy.",
               "If a point c of {b} lay before it, the segment from {o} to c would lie in {b}, too, "
               "and come closer to {p}."};
     case Phase::slab:
@@ -108,7 +110,7 @@ Words words_of(const Shown& shown) {
       return {
           "Every other pair has to cross the slab, so it is at least {distance} apart. The first "
           "was {other} apart.",
-          "So two local tests prove a global minimum, since both bodies are convex."};
+          "Thus two local tests prove a global minimum, since both bodies are convex."};
   }
   return {};
 }

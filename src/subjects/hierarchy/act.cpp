@@ -66,7 +66,7 @@ constexpr std::array kCollideAsks = {kAskDescend};
 constexpr std::array kDistanceAsks = {kAskWin, kAskTable};
 
 /// Whether a question may be about this visit: then it has a frame of its own, before what comes of
-/// it. So has the first.
+/// it. Thus has the first.
 bool is_introduced(const Lesson& lesson, long visit) {
   return visit == 1 || std::any_of(lesson.questions.begin(), lesson.questions.end(),
                                    [&](const LessonQuestion& question) {

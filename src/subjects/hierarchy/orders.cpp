@@ -213,7 +213,7 @@ void tell_orders(const Story& story, FrameText& text) {
         fmt::format("They measured {} and {} of {} pairs of segments.",
                     nearer.trace.result.measured, left.trace.result.measured, shown.search.pairs());
   } else if (shown.step == nullptr) {
-    text.caption = fmt::format("Of two pairs of {} that wait, which one first?", shown.volumes());
+    text.caption = fmt::format("Which of two pairs of {} that wait comes first?", shown.volumes());
     text.detail =
         "Any order gives the true distance. But δ falls sooner when the nearer pair comes first.";
   } else {

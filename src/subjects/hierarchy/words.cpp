@@ -137,7 +137,7 @@ class Telling {
       text_.caption = fmt::format("Visit {}: both are leaves. Their segments are {} apart, too.",
                                   shown_.state.visits, length);
       text_.detail =
-          "They share the closest vertex. Of equally close pairs the first in the outlines is "
+          "They share the closest vertex. Among equally close pairs the first in the outlines is "
           "taken.";
     } else if (record.better) {
       text_.caption =

@@ -92,7 +92,7 @@ class Telling {
       text_.detail =
           fmt::format("It lies beyond the border to {}, which is closer to it. {}Next: go there.",
                       shown_.name(found.of_a, found.neighbour),
-                      crosses_another() ? "Of two borders crossed the first counts. " : "");
+                      crosses_another() ? "The first of two crossed borders counts. " : "");
       return;
     }
     text_.caption = "Each closest point lies in the Voronoi region of the other feature.";
@@ -131,7 +131,7 @@ class Telling {
     const bool overlap = shown_.walk.trace.result.stop == WalkStop::overlap;
     text_.detail =
         shown_.step->asked > 0
-            ? fmt::format("Of {} edges it is the nearest. Next: the closest points again.",
+            ? fmt::format("It is the nearest of {} edges. Next: the closest points again.",
                           shown_.step->asked)
         : overlap
             ? "Next: the closest points again."

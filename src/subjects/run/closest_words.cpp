@@ -181,7 +181,7 @@ void areas(const Story& story, FrameText& text) {
   }
   text.caption = fmt::format("{} {} negative: {} lies beyond {}.", negatives,
                              count == 1 ? "is" : "are", story.q, edges);
-  text.detail = fmt::format("{} {} negative: {} {} larger than {} by exactly that much. So {}.",
+  text.detail = fmt::format("{} {} negative: {} {} larger than {} by exactly that much. Thus {}.",
                             parts_of(story, coordinates, true), count == 1 ? "counts" : "count",
                             parts_of(story, coordinates, false), count == 1 ? "together are" : "is",
                             whole, sum);
@@ -219,7 +219,7 @@ void features(const Story& story, FrameText& text) {
           "{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
           story.q, name);
       text.detail = fmt::format(
-          "Every other point of {} is farther, and every way inside crosses them. So P = {}, at "
+          "Every other point of {} is farther, and every way inside crosses them. Thus P = {}, at "
           "distance {}.",
           edges_at(story, face), name, story.distance());
       break;
@@ -338,18 +338,18 @@ void closest(const Story& story, FrameText& text) {
   text.caption = region_reason(story);
   if (story.is_solid(story.state.region)) {
     text.detail = story.run.point_query()
-                      ? fmt::format("So P = {}, and the distance is 0.", story.q)
-                      : "So P = O and the distance is 0: the shapes overlap.";
+                      ? fmt::format("Thus P = {}, and the distance is 0.", story.q)
+                      : "Thus P = O and the distance is 0: the shapes overlap.";
     return;
   }
   if (story.knows.is_at_query) {
-    text.detail = fmt::format("So {}, which is {}: the distance is 0.", story.p_is(), story.q);
+    text.detail = fmt::format("Thus {}, which is {}: the distance is 0.", story.p_is(), story.q);
     return;
   }
-  text.detail =
-      story.state.simplex.count == 1
-          ? fmt::format("Its distance from {} is {}.", story.q, story.distance())
-          : fmt::format("So {}, at distance {} from {}.", story.p_is(), story.distance(), story.q);
+  text.detail = story.state.simplex.count == 1
+                    ? fmt::format("Its distance from {} is {}.", story.q, story.distance())
+                    : fmt::format("Thus {}, at distance {} from {}.", story.p_is(),
+                                  story.distance(), story.q);
 }
 
 void region_test(const Story& story, FrameText& text) {
@@ -383,8 +383,8 @@ void region_test(const Story& story, FrameText& text) {
   if (test.holds) {
     text.caption = region_reason(story);
     text.detail = story.is_solid(test.region)
-                      ? "So P = " + story.q + ", and the distance is 0."
-                      : fmt::format("So {}, at distance {} from {}.", story.p_is(),
+                      ? "Thus P = " + story.q + ", and the distance is 0."
+                      : fmt::format("Thus {}, at distance {} from {}.", story.p_is(),
                                     story.distance(), story.q);
     return;
   }

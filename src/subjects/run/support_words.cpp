@@ -79,7 +79,7 @@ void support_in_parts(const Story& story, FrameText& text) {
                       lesson.x().name, c, story.numbers(along_x),
                       rank(story.positioned.x().world, lesson.x(), pair.x, -story.state.d));
       text.detail =
-          fmt::format("{}. So the support point of Z is {}.", behind(lesson.x(), pair.x), name);
+          fmt::format("{}. Thus the support point of Z is {}.", behind(lesson.x(), pair.x), name);
       return;
     default: {
       const std::string total = story.numbers(story.state.support_value);

@@ -154,8 +154,9 @@ void direction(const Story& story, FrameText& text) {
     }
     const std::string turned = fmt::format("{} turned clockwise by 90°", edge);
     if (story.knows.is_at_query) {
-      text.detail = fmt::format(
-          "{} − P = 0, but d = {} is {}. So the test d = 0 does not stop GJK.", story.q, d, turned);
+      text.detail =
+          fmt::format("{} − P = 0, but d = {} is {}. Thus the test d = 0 does not stop GJK.",
+                      story.q, d, turned);
     } else if (note.flipped) {
       text.detail = fmt::format("{} is {}. Its dot product with {} − {} is negative, so d = {}.",
                                 turned, story.numbers.point(note.normal), story.q, vertex(0), d);
@@ -354,8 +355,8 @@ void stop(const Story& story, FrameText& text) {
       text.caption = fmt::format("Stop: {} lies inside the {}.", story.q, story.simplex_name());
       text.detail =
           story.run.point_query()
-              ? fmt::format("So {} lies in {}: the distance is 0.", story.q, convex_set(story))
-              : fmt::format("So {} and {} overlap: the distance is 0.", story.run.lesson.x().name,
+              ? fmt::format("Thus {} lies in {}: the distance is 0.", story.q, convex_set(story))
+              : fmt::format("Thus {} and {} overlap: the distance is 0.", story.run.lesson.x().name,
                             story.run.lesson.y().name);
       return;
     case gjk::StopReason::zero_direction:

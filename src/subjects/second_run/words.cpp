@@ -111,7 +111,7 @@ void second_run(const Story& story, FrameText& text) {
       if (away == 0.0) {
         if (mine.p_sq != beside.p_sq) {
           text.detail = fmt::format(
-              "So {}. Its squared distance from {}, rounded to {}, is {}, so the distance is {}; "
+              "Thus {}. Its squared distance from {}, rounded to {}, is {}, so the distance is {}; "
               "{} has {}.",
               story.p_is(), story.q, in_first, story.numbers(mine.p_sq), story.distance(), other,
               numbers(std::sqrt(beside.p_sq)));
@@ -122,7 +122,7 @@ void second_run(const Story& story, FrameText& text) {
       // a difference.
       const Vector3d p =
           story.run.point_query() ? Vector3d(beside.p + story.positioned.x().world[0]) : beside.p;
-      text.detail = fmt::format("So {}, rounded. In {} P = {}, which is {} away.", story.p_is(),
+      text.detail = fmt::format("Thus {}, rounded. In {} P = {}, which is {} away.", story.p_is(),
                                 other, point(p), numbers(away));
       return;
     }

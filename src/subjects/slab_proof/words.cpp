@@ -14,7 +14,7 @@ void slab(const Story& story, const Shown& shown, FrameText& text) {
   if (reaches.empty()) {
     text.caption = "No vertex lies in slab(x, y): it is empty.";
     text.detail = fmt::format(
-        "So all of {} lies on one side of it and all of {} on the other: no two points can be "
+        "Thus all of {} lies on one side of it and all of {} on the other: no two points can be "
         "closer than {}.",
         shown.lesson.x().name, shown.lesson.y().name, story.numbers(shown.state().distance()));
     return;
@@ -29,7 +29,8 @@ void slab(const Story& story, const Shown& shown, FrameText& text) {
     text.detail = fmt::format("The descent gives up after {} slabs.", slab_proof::kIterationCap);
     return;
   }
-  text.detail = "So x and y are not the closest points. Next: a closer point on the segment to it.";
+  text.detail =
+      "Thus x and y are not the closest points. Next: a closer point on the segment to it.";
 }
 
 void closer(const Story& story, const Shown& shown, FrameText& text) {

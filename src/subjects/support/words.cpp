@@ -26,9 +26,10 @@ void slab(const Story& story, FrameText& text) {
         "The closest points of this simplex are {} apart, so the distance is at most that.",
         story.distance());
     text.detail =
-        widest ? fmt::format("The slab is {} wide, so the distance lies between {} and {}.",
-                             story.numbers(widest->width), low, high)
-               : fmt::format("So {} is an upper bound. Is any other pair of points closer?", high);
+        widest
+            ? fmt::format("The slab is {} wide, so the distance lies between {} and {}.",
+                          story.numbers(widest->width), low, high)
+            : fmt::format("Thus {} is an upper bound. Is any other pair of points closer?", high);
     return;
   }
   const std::string k = lesson.y().vertex_names[story.state.support.pair.y];

@@ -45,8 +45,9 @@ Words words_of_step(const Shown& shown) {
   if (step.reason >= Reason::meet)
     return {"{fx} and {fy} meet: the bodies overlap.", "The walk stops here."};
   if (!step.moves() && step.body == 0)
-    return {"Point {p} lies in the region of {f}, inside of all its {n} planes.",
-            "So no point of {b} is closer to {p} than {o} is. Next: is {o} in the region of {g}?"};
+    return {
+        "Point {p} lies in the region of {f}, inside of all its {n} planes.",
+        "Thus no point of {b} is closer to {p} than {o} is. Next: is {o} in the region of {g}?"};
   if (!step.moves())
     return {"Point {p} lies in the region of {f}, too: no plane refutes the pair.",
             "Both tests hold, so the slab between x and y is empty: local verification."};

@@ -23,7 +23,7 @@ void line(const Story& story, FrameText& text) {
         "dot({1} − G, n) = {2}.",
         story.q, b, story.numbers(built->of_g.to_b));
     text.detail =
-        fmt::format("So from {} itself: u = {} / {} = {} and v = {} / {} = {}.", story.q,
+        fmt::format("Thus from {} itself: u = {} / {} = {} and v = {} / {} = {}.", story.q,
                     story.numbers(built->of_q.to_b), story.numbers(built->length), weight(u),
                     story.numbers(built->of_q.from_a), story.numbers(built->length), weight(v));
     return;
