@@ -17,6 +17,7 @@
 #include "lesson/schema.hpp"
 #include "lessons.hpp"
 #include "run/effect_info.hpp"
+#include "run/trail.hpp"
 #include "session/edit.hpp"
 #include "subjects/growth/growth.hpp"
 #include "subjects/growth/table.hpp"
@@ -710,7 +711,7 @@ TEST(Session, TheLegendStaysWhileShapesAreDragged) {
     return out;
   };
   session.set_page({1000.0, 900.0, 1.0});
-  session.go_to(session.frame_count() - 1);
+  session.go_to(answering_index(session.run()));
   const std::vector<std::string> before = legend();
   ASSERT_GE(before.size(), 2u);
   session.begin_drag("drag");
