@@ -449,8 +449,9 @@ void trail(const Story& story, FrameText& text) {
   const auto& [lower, upper] = story.run.bounds(story.frame);
   const std::string low = number(lower);
   const std::string high = number(upper);
-  text.detail += low == high ? fmt::format(" Both bounds meet at {}.", low)
-                             : fmt::format(" The distance lies between {} and {}.", low, high);
+  text.detail += low == high
+                     ? fmt::format(" The distance is proved: {}.", low)
+                     : fmt::format(" The distance is proved to lie between {} and {}.", low, high);
   const int shown = static_cast<int>(kMostInTrail);
   if (iterations > shown)
     text.detail += fmt::format(" Iterations {} to {} are left out.", shown, iterations - 1);

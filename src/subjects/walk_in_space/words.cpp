@@ -85,8 +85,9 @@ Words words_of(const Story& story, const Shown& shown) {
     return {
         "With {few} vertices the walk looks at {few pairs} pairs a position, with {many} at "
         "{many pairs}. GJK needs {many warm} iterations warm, {many cold} cold.",
-        "Averages over {positions} positions of two balls that pass each other. A pair costs a "
-        "few tests, but an iteration scans all vertices, or walks to two support points."};
+        "Averages over {positions} positions of two balls that pass each other: a move crosses "
+        "more features where they are smaller. A pair costs a few tests, an iteration a scan of "
+        "all vertices."};
   if (shown.is_path) return words_of_path(story, shown);
   if (shown.index < 0)
     return {"The walk starts at {fx} and {fy}.",
