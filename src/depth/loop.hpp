@@ -22,7 +22,7 @@
 namespace depth {
 namespace detail {
 
-/// What stands in the way of a run: `running` where nothing does.
+/// The obstacle to a run: `running` where there is none.
 [[nodiscard]] constexpr StopReason obstacle(gjk::Verdict verdict) {
   if (verdict == gjk::Verdict::none) return StopReason::failed;
   if (verdict == gjk::Verdict::separated) return StopReason::separated;

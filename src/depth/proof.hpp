@@ -1,5 +1,5 @@
 #pragma once
-// What proofs of both dimensions have: what is proved, and how far Z reaches along a direction, by
+// Parts that proofs of both dimensions share: what is proved, and how far Z reaches along a direction, by
 // which X can leave Y.
 
 #include "gjk/proof/careful.hpp"

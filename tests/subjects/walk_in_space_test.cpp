@@ -125,7 +125,7 @@ TEST(WalkInSpace, EndsAtTheDistanceAndCrossesEachPlaneThatItNames) {
         EXPECT_NEAR(std::abs(beyond), from_edge(p, edge, own.size() == 2 ? other : own), 1e-6)
             << "round " << round;
       }
-      // What is next is nearer, or is where the closest point lies.
+      // The next feature is nearer, or is where the closest point lies.
       const double from_own = distance({p}, own);
       const double from_next = distance({p}, of(step.next[step.body]));
       if (step.is_region) {

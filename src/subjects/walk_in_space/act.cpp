@@ -27,7 +27,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   if (question.at && *question.at != (shown.is_path ? frame.run + 1 : shown.step().number))
     return -1;
   if (question.ask == kAskPairs.name) return shown.is_path ? frame.step : -1;
-  // Of two edges both may be left at once; and a point should be seen to lie beyond a plane.
+  // Two edges may both be left at once; and a point should be seen to lie beyond a plane.
   constexpr double kSeen = 0.05;
   const SpaceWalk::Step& step = shown.step();
   const bool is_seen = step.at[1 - step.body] == step.next[1 - step.body] &&
