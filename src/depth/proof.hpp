@@ -1,6 +1,6 @@
 #pragma once
-// Parts that proofs of both dimensions share: what is proved, and how far Z reaches along a direction, by
-// which X can leave Y.
+// Parts that proofs of both dimensions share: what is proved, and how far Z reaches along a
+// direction, by which X can leave Y.
 
 #include "gjk/proof/careful.hpp"
 #include "gjk/support.hpp"
