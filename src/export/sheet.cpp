@@ -152,6 +152,9 @@ class SheetWriter {
     shown.phases.clear();
     shown.table = {};
     shown.views = {shown.views.back()};
+    std::erase_if(shown.views.front().effects, [](const std::string& name) {
+      return !find_term(vocabulary().effects, name)->table.empty();
+    });
     const LessonRun run = run_lesson(std::move(shown));
     EffectGraph effects(run);
     const std::size_t cells = frames_of_trail(run).size() + 1;

@@ -129,8 +129,8 @@ void draw_cell(Scene& scene, Scene step, const Rect& cell, const Fonts& fonts) {
 /// Both bounds of the distance after each iteration. One that is no more than what rounding may
 /// have done to a distance of 0 is shown as 0.
 std::vector<Mark> bounds_marks(const PositionedRun& run, const Fonts& fonts, const Rect& area) {
-  PlotSeries upper{.style = PlotStyle::first, .name = "at most (upper bound)", .points = {}};
-  PlotSeries lower{.style = PlotStyle::second, .name = "at least (lower bound)", .points = {}};
+  PlotSeries upper{.style = PlotStyle::first, .name = "at most", .points = {}};
+  PlotSeries lower{.style = PlotStyle::second, .name = "at least", .points = {}};
   constexpr double kRounding = 1e-12;  // of the size of Y: far less than frames show
   double size = 0.0;
   for (const Eigen::Vector3d& vertex : run.y().world)

@@ -16,6 +16,7 @@
 #include "lesson/names.hpp"
 #include "picture/words.hpp"
 #include "run/questions.hpp"
+#include "run/trail.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope::practice {
@@ -461,11 +462,12 @@ Task told(const Kind& kind, const LessonRun& run) {
         "Go through GJK from S, step by step. Which support points does it find, and which test "
         "ends the run?";
     task.asking = 0;
-    task.telling = static_cast<int>(run.frames.size()) - 1;
+    task.telling = answering_index(run);
     task.choices.clear();
     task.answer = answer_of_run(run);
-    const FrameText& last = texts[texts.size() - 2];
-    task.reason = last.question ? last.question->reason : texts.back().caption;
+    const auto told = static_cast<std::size_t>(task.telling);
+    const FrameText& last = texts[told - 1];
+    task.reason = last.question ? last.question->reason : texts[told].caption;
   } else if (kind.ask == kNextEdge) {
     task.question =
         "The outline of Y − X goes counter-clockwise from its lowest corner. The bold edge is its "

@@ -280,6 +280,7 @@ Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
   lesson.y() = plain.y();
   lesson.options.start = plain.options.start;
   lesson.path_of_shapes.reset();
+  lesson.warm_start = false;
   lesson.questions.clear();
   lesson.expect = {};
   lesson.expect.stop =

@@ -15,6 +15,7 @@
 #include "paint/svg.hpp"
 #include "picture/tween.hpp"
 #include "run/trace_json.hpp"
+#include "run/trail.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "subjects/run/code.hpp"
@@ -332,7 +333,7 @@ std::string Player::open_case(const Asked& asked) {
     throw std::runtime_error(to_string(problems));
   }
   session_.fit();
-  session_.go_to(session_.frame_count() - 1);
+  session_.go_to(answering_index(session_.run()));
   return read.understood;
 }
 

@@ -64,7 +64,7 @@ TEST(Sheet, TheTrailHasAPictureOfEachIteration) {
   for (const Mark& mark : picture.marks) {
     const Text* text = std::get_if<Text>(&mark.shape);
     if (text && text->text.find(": S = {") != std::string::npos) ++iterations;
-    has_bounds = has_bounds || (text && text->text == "at most (upper bound)");
+    has_bounds = has_bounds || (text && text->text == "at most");
   }
   EXPECT_EQ(iterations, 4);  // polygons-gjk
   EXPECT_TRUE(has_bounds);

@@ -7,6 +7,7 @@
 
 #include "frames/frame.hpp"
 #include "lessons.hpp"
+#include "run/trail.hpp"
 
 namespace gjkscope {
 namespace close_up_test {
@@ -68,7 +69,8 @@ TEST(CloseUp, ShowsTheGapThatTheViewCannot) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   const LessonRun run = run_lesson(testing::shipped_lesson("touching"));
   EffectGraph effects(run);
-  const Picture picture = lesson_pictures(run, effects, fonts).back().picture;
+  LessonPictures pictures(run, effects, fonts);
+  const Picture picture = pictures.picture(answering_index(run));
   ASSERT_EQ(picture.clips.size(), 3u) << "the world, its close-up, the difference";
   const auto gap_in = [&](int clip) {
     std::vector<Point> ends;

@@ -416,11 +416,11 @@ TEST(Captions, TellTheRunOfThePentagon) {
                                         ": P lies on the segment CD."))
       << answer.detail;
   EXPECT_NEAR(distance, 1.6091, 5e-5);
-  EXPECT_TRUE(frames[13].text.caption.starts_with("Answer: E. Q lies beyond CD, seen from E"));
-  EXPECT_EQ(frames[14].text.caption, "E is dropped: P lies on CD, so the weight of E is 0.");
+  EXPECT_TRUE(frames[14].text.caption.starts_with("Answer: E. Q lies beyond CD, seen from E"));
+  EXPECT_EQ(frames[15].text.caption, "E is dropped: P lies on CD, so the weight of E is 0.");
   EXPECT_EQ(frames[0].text.phase, "start");
-  EXPECT_EQ(frames[14].text.phase, "drop");
-  EXPECT_EQ(frames[14].text.iteration, 3);
+  EXPECT_EQ(frames[15].text.phase, "drop");
+  EXPECT_EQ(frames[15].text.iteration, 3);
 }
 
 std::vector<FramePicture> frames_of(const std::string& id) {
@@ -666,7 +666,7 @@ TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
   EXPECT_TRUE(holds(texts_of_frame("collinear", 2), "BCD has area 0 and no weights"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 6), "B, C and D lie equally far along d"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 6), "B is not in the simplex: it was dropped."));
-  EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 23), "In X, D lies as far as C."));
+  EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 24), "In X, D lies as far as C."));
   EXPECT_TRUE(holds(texts_of_frame("minkowski-support", 0), "leads from P to O"));
   EXPECT_TRUE(holds(texts_of_frame("minkowski-support", 5), "its length does not matter"));
   EXPECT_TRUE(holds(texts_of_frame("direction-half", 5), "Half precision finds B"));

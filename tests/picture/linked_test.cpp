@@ -12,6 +12,7 @@
 #include "lessons.hpp"
 #include "picture/text_box.hpp"
 #include "run/facts.hpp"
+#include "run/trail.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
 
@@ -253,7 +254,8 @@ TEST(LinkedCaptions, TheSlabProvesTheDistance) {
   // D = (−1.1, 1.15).
   const double distance = std::abs(1.9 * (0.3 + 0.9) + 0.2 * (0.8 + 0.75)) / std::hypot(1.9, 0.2);
   EXPECT_NEAR(distance, 1.3557, 5e-5);
-  EXPECT_EQ(frames.back().text.caption,
+  const FramePicture& answer = frames[static_cast<std::size_t>(answering_index(run))];
+  EXPECT_EQ(answer.text.caption,
             "Stop: the empty slab is as wide as the closest points are apart, 1.356.");
   for (const FramePicture& frame : frames) {
     const bool has_slab = !marks<Polygon>(frame, "slab", 0).empty();

@@ -15,6 +15,7 @@
 #include "frames/frame.hpp"
 #include "lessons.hpp"
 #include "picture/text_box.hpp"
+#include "run/trail.hpp"
 
 namespace gjkscope {
 namespace many_vertices_test {
@@ -60,9 +61,10 @@ TEST(ManyVertices, NamesAreFewEnoughForTheViewAndHoldThoseOfTheRun) {
     ASSERT_FALSE(met.empty());
     EffectGraph effects(run);
     std::optional<std::set<std::string>> first;
-    for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
+    LessonPictures pictures(run, effects, fonts());
+    for (int i = 0; i <= answering_index(run); ++i) {
       std::set<std::string> names;
-      for (const Mark& mark : frame.picture.marks) {
+      for (const Mark& mark : pictures.picture(i).marks) {
         if (mark.role == "shape.x.label") names.insert(std::get<Text>(mark.shape).text);
       }
       for (const std::string& name : met) EXPECT_TRUE(names.contains(name)) << name;

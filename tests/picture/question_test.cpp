@@ -67,7 +67,7 @@ TEST(QuestionFrames, OfThePentagon) {
 }
 
 TEST(QuestionFrames, ADirectionLeadsFromPAlongD) {
-  for (const std::string id : {"polygon-evolution", "polygons-gjk", "round-shapes"}) {
+  for (const std::string id : {"polygon-evolution", "polygons-gjk", "polygon-pseudocode"}) {
     const LessonRun run = run_lesson(asking(id, {{"direction", {}}}));
     EffectGraph effects(run);
     const std::vector<FrameText> texts = lesson_texts(run, effects);
@@ -258,7 +258,7 @@ TEST(QuestionFrames, DrawWhatTheLastFrameDrewAndNothingOfWhatComes) {
     for (const char* role : {"simplex.edge", "simplex.vertex", "support", "direction", "closest"})
       EXPECT_EQ(count(frames[i], role), count(frames[i - 1], role)) << role;
   }
-  EXPECT_EQ(questions, 3);
+  EXPECT_EQ(questions, 4);
 }
 
 TEST(QuestionFrames, TheFramesBeforeThemDoNotTellWhatComesAfter) {

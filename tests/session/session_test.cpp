@@ -17,6 +17,7 @@
 #include "lesson/schema.hpp"
 #include "lessons.hpp"
 #include "run/effect_info.hpp"
+#include "run/questions.hpp"
 #include "run/trail.hpp"
 #include "session/edit.hpp"
 #include "subjects/growth/growth.hpp"
@@ -575,7 +576,8 @@ TEST(Session, AQuestionForTwoVerticesOffersThemApart) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
   session.set_predicting(true);
-  while (session.question() == nullptr) ASSERT_TRUE(session.step(1));
+  while (session.question() == nullptr || session.question()->ask != asks::kSupport.name)
+    ASSERT_TRUE(session.step(1));
   const FrameQuestion& asked = *session.question();
   ASSERT_EQ(2u, asked.pair.size());
   EXPECT_EQ("Y", asked.pair[0].shape);

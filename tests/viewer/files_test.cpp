@@ -15,6 +15,7 @@
 #include "lesson/case.hpp"
 #include "lesson/load.hpp"
 #include "outlines/polygon.hpp"
+#include "run/trail.hpp"
 #include "session/edit.hpp"
 #include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
@@ -712,7 +713,8 @@ TEST(Views, ARandomPairIsInSight) {
 TEST(Views, ADragInAZoomedDifferenceFollowsTheHand) {
   HeadlessApp window;
   Session& session = window.session();
-  window.key("End");
+  session.go_to(answering_index(session.run()));
+  window.frame();
   const Subject z{Subject::Kind::difference};
   const Point at = window.at(z);
   window.move(at);

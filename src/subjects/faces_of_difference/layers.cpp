@@ -72,8 +72,7 @@ void source(SceneBuilder& scene, const Shown& shown, const Face& of_z, bool is_x
     for (const int vertex : part) face.push_back(world[static_cast<std::size_t>(vertex)]);
     // X is mirrored in Z, so that its faces look the other way there.
     const bool is_behind = scene.map.towards_eye(of_z.normal) * (is_x ? -1.0 : 1.0) < 0.0;
-    return draw_face(scene, face,
-                     std::string(is_x ? "zface.x" : "zface.y") + (is_behind ? ".behind" : ""));
+    return draw_face(scene, face, is_behind ? "zface.behind" : is_x ? "zface.x" : "zface.y");
   }
   if (corners.size() == 2) return scene.line(is_x ? "from.x" : "from.y", corners[0], corners[1]);
   scene.diamond("support.vertex", corners[0], kSupportRadius,
