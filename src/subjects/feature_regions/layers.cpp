@@ -40,7 +40,7 @@ void step_of_pair(SceneBuilder& scene, const Shown& shown) {
     return draw_feature(scene, body, shown.feature(shown.feature_index()));
   }
   const std::array<Vector3d, 2>& ends = shown.pair().points;
-  const Vector3d normal = (ends[1] - ends[0]).normalized();
+  const Vector3d normal = unit(ends[1] - ends[0]);
   for (const std::size_t end : {0, 1}) {
     if (phase != Phase::plane || end == body)
       draw_plane(scene, ends[end], normal, scene.plane_half_width(), "slab.plane");

@@ -62,7 +62,7 @@ void tell_pairs(RegionsTrace& told, const Lesson& lesson, const PositionedRun& r
     first.points[body] = run.bodies[body].world[static_cast<std::size_t>(at->vertices[0])];
   }
   told.pairs.insert(told.pairs.begin(), first);
-  const Vector3d way = (first.points[1] - first.points[0]).normalized();
+  const Vector3d way = unit(first.points[1] - first.points[0]);
   for (const std::size_t body : {0, 1}) {
     for (const Feature& feature : told.features[body]) {
       if (feature.kind() != Kind::vertex) continue;

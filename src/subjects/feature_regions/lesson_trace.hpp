@@ -4,7 +4,9 @@
 // region of the other's feature (Larsen 1998, "Local Verification").
 
 #include <array>
+#include <cmath>
 
+#include "gjk/vector.hpp"
 #include "lesson/algorithm.hpp"
 #include "run/run.hpp"
 #include "subjects/feature_regions/features.hpp"
@@ -27,7 +29,10 @@ class RegionsTrace final : public AlgorithmTrace {
   struct Pair {
     std::array<Eigen::Vector3d, 2> points;
     std::array<int, 2> features = {-1, -1};
-    [[nodiscard]] double distance() const { return (points[1] - points[0]).norm(); }
+    [[nodiscard]] double distance() const {
+      const Eigen::Vector3d way = points[1] - points[0];
+      return std::sqrt(gjk::dot(way, way));
+    }
   };
   [[nodiscard]] int steps() const override { return static_cast<int>(all.size()); }
   [[nodiscard]] StepInfo info(int step) const override;

@@ -3,7 +3,9 @@
 // each pair of features that it looks at, and for the last pair one for each of its two regions.
 
 #include <array>
+#include <cmath>
 
+#include "gjk/vector.hpp"
 #include "lesson/algorithm.hpp"
 #include "outlines/v_clip.hpp"
 #include "run/run.hpp"
@@ -27,7 +29,10 @@ class SpaceWalk final : public AlgorithmTrace {
     std::size_t body = 0;    ///< The one whose feature the decision is about.
     int border = -1;         ///< The border of its region that the other's point is beyond, or on.
     [[nodiscard]] bool moves() const { return next != at; }
-    [[nodiscard]] double distance() const { return (points[1] - points[0]).norm(); }
+    [[nodiscard]] double distance() const {
+      const Eigen::Vector3d way = points[1] - points[0];
+      return std::sqrt(gjk::dot(way, way));
+    }
   };
 
   [[nodiscard]] int steps() const override { return static_cast<int>(all.size()); }
