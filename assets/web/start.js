@@ -83,10 +83,10 @@ async function start() {
   state = await openLesson();
   connect();
   // Two shapes are asked for their distance first; how it was found comes after.
-  if (data.kind === "playground") state = await ask({ do: "go", to: state.count - 1 });
+  if (data.kind === "playground") state = await ask({ do: "go", to: state.answer });
   await document.fonts.ready;
-  await layout();
   $("hint").textContent = "Drag a corner or a shape: the steps follow.";
+  await layout();
   document.querySelectorAll("[inert]").forEach((part) => { part.inert = false; });
   root.dataset.live = true;
   await follow(link);

@@ -489,10 +489,15 @@ bool Session::show(LabelScope scope) {
 
 void Session::put(std::shared_ptr<Shown> shown) {
   const bool first = !shown_;
-  const bool was_last = !first && index_ + 1 == frame_count();
-  const Moment was = first || was_last ? Moment{} : moments()[static_cast<std::size_t>(index_)];
+  const bool was_answer = !first && index_ == answering_index(run());
+  const bool was_trail = !first && is_trail(frame());
+  const Moment was =
+      first || was_answer || was_trail ? Moment{} : moments()[static_cast<std::size_t>(index_)];
   shown_ = std::move(shown);
-  index_ = first ? 0 : was_last ? frame_count() - 1 : find(was);
+  index_ = first        ? 0
+           : was_answer ? answering_index(run())
+           : was_trail  ? frame_count() - 1
+                        : find(was);
 }
 
 void Session::lay_out(LabelScope scope) {

@@ -15,6 +15,7 @@
 #include "paint/svg.hpp"
 #include "picture/term_spots.hpp"
 #include "picture/text_box.hpp"
+#include "run/trail.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "session/pointing.hpp"
@@ -308,9 +309,10 @@ std::string Player::shown(const std::string& understood) {
   const LessonRun& run = session_.run();
   const Lesson& lesson = session_.lesson();
   stage_before_ = std::exchange(stage_, session_.picture());
-  if (shows_depth_ && session_.index() + 1 == session_.frame_count()) draw_depth(stage_);
+  if (shows_depth_ && session_.index() == answering_index(run)) draw_depth(stage_);
   Json out = {{"index", session_.index()},
               {"count", session_.frame_count()},
+              {"answer", answering_index(session_.run())},
               {"title", lesson.title},
               {"prose", text.prose},
               {"position", text.position},
