@@ -1896,6 +1896,34 @@ claim("a task whose shapes were changed is brought back, and links to practice s
   await close(page);
 });
 
+claim("a direction that is asked for is dragged from P, and the shape below stays where it is", async () => {
+  const page = await open(url("polygon-evolution"));
+  await page.locator("body").press("p");
+  for (;;) {
+    await toQuestion(page);
+    if (await page.evaluate(() => state.question.origin)) break;
+    await page.locator("#choices button").first().click();
+    await rest(page);
+  }
+  const [from, scale] = await page.evaluate(() => {
+    const svg = document.querySelector("#stage svg");
+    svg.scrollIntoView({ block: "nearest" });
+    const box = svg.getBoundingClientRect();
+    const one = box.width / svg.viewBox.baseVal.width;
+    const [x, y] = state.question.origin;
+    return [[box.left + one * x, box.top + one * y], one];
+  });
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] + 90 * scale, from[1] - 30 * scale, { steps: 5 });
+  assert.equal(await page.locator("#stage .aim").count(), 1);
+  await page.mouse.up();
+  await rest(page);
+  assert.match(await text(page, "verdict"), /^(Right: towards Q|Not \S.*: the run says towards Q)\. Yours is turned by [\d.]+°\./);
+  assert.ok(await page.locator("#undo").isDisabled());
+  await close(page);
+});
+
 claim("practice works where nothing can be kept, and its page says nothing of the answer", async () => {
   const init = () => Object.defineProperty(window, "localStorage", { get() { throw new Error("no storage"); } });
   const page = await open(url("practice", "#chapter=1&seed=3"), "laptop", { init });
