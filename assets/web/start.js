@@ -90,6 +90,8 @@ async function start() {
   document.querySelectorAll("[inert]").forEach((part) => { part.inert = false; });
   root.dataset.live = true;
   await follow(link);
+  // There the words of what it leads to take of the figure's height.
+  if (link && placeOfBar() === "over") await layout();
   root.dataset.ready = Math.round(performance.now());
   tellHost("ready", shownStep());
   window.keepSite?.();
