@@ -741,7 +741,7 @@ Picture LessonPictures::picture(int index, const FrameText& text,
              Box{{card.min + Point::Constant(kCardBorder), view.title_box.max - Point(6.0, 3.0)},
                  kCardCorner - kCardBorder});
     if (is_trail(run_.frames[at]) && !has_cells(run_, i)) {
-      page.write("view-title", card.min + Point(14.0, 26.0), "The distance, as far as it is proved",
+      page.write("view-title", card.min + Point(14.0, 26.0), "Distance, as proved",
                  type::kViewTitle);
       continue;
     }
