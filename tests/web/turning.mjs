@@ -22,7 +22,7 @@ async function times(address) {
   const from = [box.x + 20, box.y + box.height / 2];
   await page.mouse.move(...from);
   await page.mouse.down();
-  await page.waitForFunction(() => state.dragging);
+  while (!(await page.evaluate(() => state.dragging))) await page.waitForTimeout(20);
   const [thread] = page.workers();
   await thread.evaluate(() => {
     const whole = answer;
