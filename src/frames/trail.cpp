@@ -190,7 +190,8 @@ Scene trail_scene(const LessonRun& run, EffectGraph& effects, std::size_t view,
     size = each;
   }
   const auto cell_at = [&](std::size_t i) {
-    const Point at(static_cast<double>(i % columns), static_cast<double>(i / columns));
+    const std::size_t row = i / columns;
+    const Point at(static_cast<double>(i % columns), static_cast<double>(row));
     const Point corner = area.min + at.cwiseProduct(size + Point(kGap, kGap));
     return Rect{corner, corner + size};
   };

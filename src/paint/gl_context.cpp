@@ -75,7 +75,7 @@ class OsMesaContext : public GlContext {
                                             kMajor,  2,          kMinor,     1,        0};
     context_ = mesa_.create(attributes.data(), nullptr);
     if (!context_) throw std::runtime_error("no context (RGBA, compatibility profile, 2.1)");
-    find_functions(functions, mesa_.function);
+    find_functions(functions_, mesa_.function);
   }
   ~OsMesaContext() override {
     if (context_) mesa_.destroy(context_);
@@ -91,7 +91,7 @@ class OsMesaContext : public GlContext {
     }
     mesa_.pixel_store(kYUp, 0);
   }
-  void end(Image& /*image*/) override { functions.Finish(); }
+  void end(Image& /*image*/) override { functions_.Finish(); }
 
  private:
   OsMesa mesa_;
@@ -162,7 +162,7 @@ class EglContext : public GlContext {
       throw std::runtime_error(
           fmt::format("no context of OpenGL with {}x{} pixels", width, height));
     }
-    find_functions(functions, egl_.GetProcAddress);
+    find_functions(functions_, egl_.GetProcAddress);
   }
   ~EglContext() override { close(); }
   EglContext(const EglContext&) = delete;
@@ -177,8 +177,8 @@ class EglContext : public GlContext {
   }
   void end(Image& image) override {
     constexpr GLenum kPackInvert = 0x8758;  // GL_MESA_pack_invert: rows from top to bottom
-    functions.PixelStorei(kPackInvert, 1);
-    functions.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    functions_.PixelStorei(kPackInvert, 1);
+    functions_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
   }
 
  private:

@@ -56,10 +56,10 @@ class GlContext {
   virtual void begin(Image& image) = 0;
   /// All that was drawn is in the image of `begin`.
   virtual void end(Image& image) = 0;
-  [[nodiscard]] const Gl& gl() const { return functions; }
+  [[nodiscard]] const Gl& gl() const { return functions_; }
 
  protected:
-  Gl functions;
+  Gl functions_;
 };
 
 /// OSMesa draws into memory, but has left Mesa with version 25.1; EGL without a surface of a

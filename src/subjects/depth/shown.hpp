@@ -69,15 +69,15 @@ struct ShownInSpace : ShownPart<DepthTraceInSpace> {
     return state.polytope.faces[static_cast<std::size_t>(face)];
   }
   /// The three corners of a face, and the middle between them.
-  [[nodiscard]] std::array<Eigen::Vector3d, 3> corners(int face) const;
-  [[nodiscard]] Eigen::Vector3d middle(int face) const;
+  [[nodiscard]] std::array<Eigen::Vector3d, 3> corners(int of) const;
+  [[nodiscard]] Eigen::Vector3d middle(int of) const;
   /// Those that the polytope has, in order.
   [[nodiscard]] std::vector<int> faces() const;
   [[nodiscard]] bool is_nearest(int face) const { return knows_nearest() && face == state.face; }
   /// The next step drops it: the support point sees it. Told by frames of the stop test.
-  [[nodiscard]] bool is_visible(int face) const;
+  [[nodiscard]] bool is_visible(int of) const;
   /// The step has added it.
-  [[nodiscard]] bool is_new(int face) const;
+  [[nodiscard]] bool is_new(int of) const;
   /// The foot of the perpendicular from O to the plane of the nearest face.
   [[nodiscard]] Eigen::Vector3d foot() const;
 };
