@@ -188,6 +188,8 @@ std::optional<PointedChoice> pointed_choice(Session& session, const Hand& hand,
   const LessonPictures::ShownView shown = session.views()[*view];
   if (question->origin) {
     if (shown.kind != question->spots.front()->view) return std::nullopt;
+    // A click at P itself has no direction.
+    if ((page - *origin_on_page(session)).norm() < kReach) return std::nullopt;
     const Vector2d place = in_plane(hand.to_view(*view, page));
     return PointedChoice{nearest_direction(*question, place), {}, place};
   }

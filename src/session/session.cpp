@@ -95,10 +95,12 @@ struct Session::Shown {
 
  private:
   static LessonPictures drawn(Shown& shown, const Fonts& fonts, const EffectGraph* before) {
-    if (before) shown.effects.take_over<Growth>(*before);
-    if (before) shown.effects.take_over<ClimbGrowth>(*before);
-    if (before) shown.effects.take_over<FaceGrowth>(*before);
-    if (before) shown.effects.take_over<SpaceWalkGrowth>(*before);
+    if (before) {
+      shown.effects.take_over<Growth>(*before);
+      shown.effects.take_over<ClimbGrowth>(*before);
+      shown.effects.take_over<FaceGrowth>(*before);
+      shown.effects.take_over<SpaceWalkGrowth>(*before);
+    }
     return {shown.run, shown.effects, fonts};
   }
 };

@@ -79,6 +79,7 @@ TEST_F(Pointing, ADirectionIsDraggedFromP) {
   EXPECT_EQ(chosen_at(at(-18.0)), asked.answer);
   EXPECT_EQ(chosen_at(at(180.0)), "away from O");
   EXPECT_NE(chosen_at(at(68.0)), asked.answer);
+  EXPECT_EQ(chosen_at(*origin), "") << "P alone has no direction";
   // The world has no P.
   EXPECT_EQ(chosen_at(session.views()[0].card.center()), "");
   const auto found = pointed_choice(session, hand, {}, at(18.0));
