@@ -88,8 +88,17 @@ function tellOfHulls() {
 
 let firstEye;  // degrees, as the lesson has it
 
+/** Views turn under the hand, and all else stays. */
+function turned(next) {
+  state = { ...state, ...next };
+  endMotion();
+  paper = null;
+  putStage(state.stage);
+}
+
 function show(next, moves) {
   const last = state;
+  if (next.index === undefined) return turned(next);
   state = { ...last, ...next, question: next.question, listing: next.listing, eye: next.eye, sides: next.sides };
   firstEye ??= state.eye;
   if (next.numbers) state.shapes = next.shapes;  // none where there are too many vertices to list

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "outlines/polyhedron.hpp"
 #include "picture/layer.hpp"
 #include "subjects/motion/motion.hpp"
 #include "subjects/subjects.hpp"
@@ -33,7 +34,7 @@ std::vector<SphereInSpace> spheres_in_space(const LessonRun& run, ViewKind kind)
       for (const Vector3d& vertex : body.world) box.extend(vertex);
       SphereInSpace sphere{box.center()};
       for (const Vector3d& vertex : body.world)
-        sphere.radius = std::max(sphere.radius, (vertex - sphere.center).norm());
+        sphere.radius = std::max(sphere.radius, length(vertex - sphere.center));
       return sphere;
     };
     const SphereInSpace x = sphere_of(positioned.x());
@@ -59,7 +60,7 @@ Camera camera_in_space(const LessonRun& run, const LessonView& view, const Rect&
   }
   double radius = 0.0;
   for (const SphereInSpace& sphere : seen)
-    radius = std::max(radius, (sphere.center - box.center()).norm() + sphere.radius);
+    radius = std::max(radius, length(sphere.center - box.center()) + sphere.radius);
   constexpr double kShown = 0.88;  // of the sphere, which shapes hardly fill
   Camera camera{box.center(), radius > 0.0 ? 2.0 * kShown * radius : 1.0, 1.0, eye_of(run, view)};
   camera.height *= area.size().y() / (area.size().minCoeff() - 2.0 * side);

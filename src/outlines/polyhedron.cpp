@@ -246,7 +246,8 @@ void complete(Polyhedron& hull) {
 
 }  // namespace
 
-Vector3d unit(const Vector3d& v) { return v / std::sqrt(gjk::dot(v, v)); }
+double length(const Vector3d& v) { return std::sqrt(gjk::dot(v, v)); }
+Vector3d unit(const Vector3d& v) { return v / length(v); }
 
 Polyhedron hull_in_space(std::span<const Vector3d> points) {
   const int a = farthest(points, [&](const Vector3d& p) { return (p - points[0]).norm(); });

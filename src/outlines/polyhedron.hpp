@@ -26,6 +26,8 @@ struct Polyhedron {
   std::vector<int> vertices;  ///< Those on the hull, in ascending order.
 };
 
+/// |v|, in the same digits by every compiler.
+[[nodiscard]] double length(const Eigen::Vector3d& v);
 /// v / |v|, in the same digits by every compiler. v: not 0.
 [[nodiscard]] Eigen::Vector3d unit(const Eigen::Vector3d& v);
 

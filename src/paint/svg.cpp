@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/html.hpp"
@@ -14,16 +16,33 @@ namespace {
 
 /// To a hundredth of a pixel, without zeros that say nothing.
 std::string number(double value) {
-  std::string out = fmt::format("{:.2f}", value);
-  out.erase(out.find_last_not_of('0') + 1);
-  if (out.back() == '.') out.pop_back();
-  return out == "-0" ? "0" : out;
+  const double hundredths = std::abs(100.0 * value);
+  const double down = std::floor(hundredths);
+  // Halfway between two the value itself decides, which 100.0 * value may have rounded away.
+  constexpr double kExact = 1e9;
+  if (!(hundredths < kExact) || std::abs(hundredths - down - 0.5) < 1e-6) {
+    std::string out = fmt::format("{:.2f}", value);
+    out.erase(out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.pop_back();
+    return out == "-0" ? "0" : out;
+  }
+  const auto near = static_cast<int>(hundredths - down < 0.5 ? down : down + 1.0);
+  std::string out = value < 0.0 && near > 0 ? "-" : "";
+  out += std::to_string(near / 100);
+  if (near % 100 == 0) return out;
+  out += '.';
+  out += static_cast<char>('0' + near / 10 % 10);
+  if (near % 10 > 0) out += static_cast<char>('0' + near % 10);
+  return out;
 }
 
 std::string path(const std::vector<Point>& points, bool closed) {
   std::string out;
   for (const Point& p : points) {
-    out += fmt::format("{}{} {}", out.empty() ? "M" : "L", number(p.x()), number(p.y()));
+    out += out.empty() ? 'M' : 'L';
+    out += number(p.x());
+    out += ' ';
+    out += number(p.y());
   }
   return closed ? out + "Z" : out;
 }

@@ -116,6 +116,11 @@ struct FontFile {
     stbtt_GetGlyphHMetrics(&info, glyph_index, &units, nullptr);
     return units / em;
   }
+  [[nodiscard]] double top(int glyph_index) const {
+    int left = 0, bottom = 0, right = 0, top = 0;
+    stbtt_GetGlyphBox(&info, glyph_index, &left, &bottom, &right, &top);
+    return top / em;
+  }
 };
 
 /// Nothing when the bytes are no font.
@@ -201,7 +206,8 @@ struct Fonts::Loaded {
   struct FaceFiles {
     FontFile main;
     FontFile fallback;
-    double digit = 0.0;                             // Width of a figure, in ems.
+    double cap_height = 0.0;                        // In ems,
+    double digit = 0.0;                             // and the width of a figure.
     std::unordered_map<char32_t, double> advances;  // In ems, for Fonts::characters().
   };
   std::array<FaceFiles, kFaceCount> faces;
@@ -246,6 +252,7 @@ Fonts::Fonts(std::array<FaceBytes, kFaceCount> files) : loaded_(std::make_unique
     Loaded::FaceFiles& face = loaded_->faces[f];
     face.main = *std::move(main);
     face.fallback = *std::move(fallback);
+    face.cap_height = face.main.top(face.main.glyph('H'));
     for (char32_t digit = '0'; digit <= '9'; ++digit) {
       face.digit = std::max(face.digit, face.main.advance(face.main.glyph(digit)));
     }
@@ -276,10 +283,7 @@ double Fonts::advance(const TextStyle& style, char32_t character) const {
 }
 
 double Fonts::cap_height(const TextStyle& style) const {
-  const FontFile& font = loaded_->face(style.face).main;
-  int left = 0, bottom = 0, right = 0, top = 0;
-  stbtt_GetGlyphBox(&font.info, font.glyph('H'), &left, &bottom, &right, &top);
-  return top / font.em * style.size;
+  return loaded_->face(style.face).cap_height * style.size;
 }
 
 const std::vector<char32_t>& Fonts::characters() {

@@ -243,7 +243,7 @@ StepInfo LessonRun::info(const Frame& frame) const {
 }
 
 int LessonRun::answering_iteration(const Frame& frame) const {
-  return algorithm_trace(frame).info(frame.answering_step).iteration;
+  return info({.run = frame.run, .step = frame.answering_step}).iteration;
 }
 
 bool has_pair(const WideSimplex& simplex, gjk::VertexPair pair) {

@@ -73,6 +73,8 @@ class Hand {
   bool press(const Subject& subject, const Point& page, double handle_slack = kSlack);
   /// Whether something is held.
   [[nodiscard]] bool holds() const { return held_.has_value(); }
+  /// Whether the ground has been dragged, which turns the views and changes nothing else.
+  [[nodiscard]] bool turns_views() const { return held_ && held_->walks && held_->moved; }
   /// Moves or turns what is held; `snaps`: by round numbers, and in space along the one axis that
   /// the pointer's way follows most. False while the press is a click.
   bool move(const Point& page, bool snaps);

@@ -310,33 +310,7 @@ std::string Player::shown(const std::string& understood) {
   const Lesson& lesson = session_.lesson();
   stage_before_ = std::exchange(stage_, session_.picture());
   if (shows_depth_ && session_.index() == answering_index(run)) draw_depth(stage_);
-  Json out = {{"index", session_.index()},
-              {"count", session_.frame_count()},
-              {"answer", answering_index(session_.run())},
-              {"title", lesson.title},
-              {"prose", text.prose},
-              {"position", text.position},
-              {"caption", text.caption},
-              {"detail", text.detail},
-              {"phase", text.phase},
-              {"dragging", hand_.holds()},
-              {"changed", *opened_ != lesson},
-              {"undo", session_.undo_name()},
-              {"redo", session_.redo_name()},
-              {"hulls", not_convex(run)},
-              {"stage", stage_svg(stage_)},
-              {"timeline", to_svg(timeline(), fonts_, theme_, text.position)}};
-  for (const auto& [name, words] :
-       {std::pair("prose", &text.prose), {"caption", &text.caption}, {"detail", &text.detail}})
-    out["terms"][name] = in_pieces(*words, terms_);
-  if (!lesson.panel.empty()) {
-    out["panel"] = panel_svg(theme_);
-    out["terms"]["panel"] = terms_on(panel(session_.frame(), panel_width_), fonts_, terms_);
-  }
-  if (code::in_language(lesson, Language::pseudocode)) {
-    out["listing"] = {{"language", name_of(code::language_of(lesson.listing))},
-                      {"languages", names_of<Language>()}};
-  }
+  Json out = {{"dragging", hand_.holds()}, {"stage", stage_svg(stage_)}};
   if (const FrameQuestion* question = session_.question()) {
     out["question"] = {{"ask", question->ask},
                        {"choices", question->choices},
@@ -349,6 +323,32 @@ std::string Player::shown(const std::string& understood) {
   if (const std::optional<Eye> eye = session_.eye()) {
     out["sides"] = kSides;
     out["eye"] = {eye->azimuth, eye->elevation};
+  }
+  if (hand_.turns_views()) return dumped(out);
+  out.update({{"index", session_.index()},
+              {"count", session_.frame_count()},
+              {"answer", answering_index(run)},
+              {"title", lesson.title},
+              {"prose", text.prose},
+              {"position", text.position},
+              {"caption", text.caption},
+              {"detail", text.detail},
+              {"phase", text.phase},
+              {"changed", *opened_ != lesson},
+              {"undo", session_.undo_name()},
+              {"redo", session_.redo_name()},
+              {"hulls", not_convex(run)},
+              {"timeline", to_svg(timeline(), fonts_, theme_, text.position)}});
+  for (const auto& [name, words] :
+       {std::pair("prose", &text.prose), {"caption", &text.caption}, {"detail", &text.detail}})
+    out["terms"][name] = in_pieces(*words, terms_);
+  if (!lesson.panel.empty()) {
+    out["panel"] = panel_svg(theme_);
+    out["terms"]["panel"] = terms_on(panel(session_.frame(), panel_width_), fonts_, terms_);
+  }
+  if (code::in_language(lesson, Language::pseudocode)) {
+    out["listing"] = {{"language", name_of(code::language_of(lesson.listing))},
+                      {"languages", names_of<Language>()}};
   }
   if (!understood.empty()) out["understood"] = understood;
   out["predicting"] = session_.is_predicting();

@@ -227,11 +227,7 @@ void solid(SceneBuilder& scene, std::size_t body) {
   const SolidBody other{hulls[1 - body], scene.positioned.bodies[1 - body].world};
   draw_solid(scene, hull, world, role, {is_x ? Kind::shape_x : Kind::shape_y}, Stuff::body);
   const std::vector<Point> vertices = scene.mapped(world);
-  std::vector<bool> behind = vertices_behind(scene.map, hull, world.size());
-  for (const int vertex : hull.vertices) {
-    const auto i = static_cast<std::size_t>(vertex);
-    behind[i] = behind[i] || part_behind(scene.map, other, world[i], world[i]);
-  }
+  const std::vector<bool> behind = vertices_behind(scene.map, hull, world.size());
   const std::vector<bool> seen = in_sight(scene, vertices);
   const std::vector<Named> named = names_of_vertices(scene, body, seen, false);
   const double radius = std::min(disk_radius(vertices), kPartOfRoom * room_of(vertices));
@@ -240,15 +236,16 @@ void solid(SceneBuilder& scene, std::size_t body) {
     // Among many vertices those alone have a mark that frames speak of: names lie on the body.
     if (!seen[i] || (named[i] != Named::yes && radius == 0.0)) continue;
     const int index = static_cast<int>(i);
+    const bool is_hidden = behind[i] || part_behind(scene.map, other, world[i], world[i]);
     scene.disk_in_space(
-        role + (behind[i] ? ".vertex.hidden" : ".vertex"), world[i],
+        role + (is_hidden ? ".vertex.hidden" : ".vertex"), world[i],
         radius > 0.0 ? radius : kNamedRadius,
         is_x ? Subject{Kind::vertex_of_x, index} : Subject{Kind::vertex_of_y, -1, index});
     if (named[i] == Named::no) continue;
     const std::string& name = scene.run.lesson.bodies[body].vertex_names[i];
     const Point away = world.size() == 1 ? Point::Zero() : Point(vertices[i] - middle);
     scene.out.fixed_labels.push_back(scene.label("vertex:" + name, name,
-                                                 role + (behind[i] ? ".label.hidden" : ".label"),
+                                                 role + (is_hidden ? ".label.hidden" : ".label"),
                                                  type::kVertex, vertices[i], kSimplexRadius, away));
     scene.out.fixed_labels.back().needs_room = named[i] == Named::with_room;
   }
