@@ -124,10 +124,12 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
     }
   }
   std::vector<Facet> facets;
+  facets.reserve(solid.faces.size());
   for (std::size_t k = 0; k < solid.faces.size(); ++k) {
     if (!front[k]) continue;
     Facet facet = facet_of(scene.map, solid.faces[k].normal);
     facet.is_shaded = mean > kRoom && light.dot(solid.faces[k].normal) <= kShaded;
+    facet.corners.reserve(solid.faces[k].vertices.size());
     for (const int vertex : solid.faces[k].vertices)
       facet.corners.push_back(scene.map.in_depth(points[static_cast<std::size_t>(vertex)]));
     facets.push_back(std::move(facet));
