@@ -48,12 +48,14 @@ template <class R, class S, int D>
                        gjk::length(gjk::converted<Wide, Expansion, D>(along_it));
     const R few = R(kSettledRoundings) * gjk::ScalarTraits<R>::unit_roundoff();
     const R least = std::numeric_limits<R>::denorm_min();
-    const R lower = static_cast<R>(exact_distance<Wide>(end));
-    const R upper = static_cast<R>(reach);
-    out.lower = gjk::scaled_below(std::max(R(lower - few * lower - least), R(0)), exponent);
-    out.upper = gjk::scaled_above(R(upper + few * upper + least), exponent);
-    out.depth = std::clamp(gjk::ScalarTraits<R>::scaled(D == 2 ? lower : upper, exponent),
-                           out.lower, out.upper);
+    const auto in_unit = [&](const Wide& length) {  // R may not hold it in that of the exact run
+      return static_cast<R>(gjk::ScalarTraits<Wide>::scaled(length, exponent));
+    };
+    const R lower = in_unit(exact_distance<Wide>(end));
+    const R upper = in_unit(reach);
+    out.lower = std::max(R(lower - few * lower - least), R(0));
+    out.upper = upper + few * upper + least;
+    out.depth = std::clamp(D == 2 ? lower : upper, out.lower, out.upper);
   }
   if (has_own_contact<D>(found.verdict)) {
     const Vec<R, D> t = out.direction * out.depth;

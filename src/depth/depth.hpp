@@ -161,6 +161,7 @@ template <class R = gjk::Default, class S, int D>
   out.gjk = gjk::trace<R>(query, options);
   const gjk::Prepared<Run, D>& prepared = out.gjk.prepared;
   State<Run, D> state = start(query, prepared, out.gjk.result);
+  if constexpr (D == 3) detail::measure_all(state);
   out.initial = state;
   Bounds<Run> bounds;
   while (state.stop == StopReason::running) {
@@ -168,6 +169,7 @@ template <class R = gjk::Default, class S, int D>
     next.phase = state.phase;
     next.iteration = state.iteration;
     step(state, query, prepared, next.record);
+    if constexpr (D == 3) detail::measure_all(state);
     next.after = state;
     detail::improve(bounds, next.phase, state, prepared);
     next.bounds = bounds;

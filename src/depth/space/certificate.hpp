@@ -84,7 +84,8 @@ template <class R>
 
 /// The face that holds the point t of the boundary, with its weights there: of all faces that are
 /// about as near as t the one that comes closest to t. Triangles of one plane are many faces, and
-/// the nearest of them need not be the one that has the foot of the perpendicular from O.
+/// the nearest of them need not be the one that has the foot of the perpendicular from O: if it is,
+/// no other one is looked at.
 /// `exponent`: of the unit of the polytope, in that of the run.
 template <class R, class S, class N>
 [[nodiscard]] gjk::Simplex<R, 3> contact_face(const State<N, 3>& state, const Vec<R, 3>& t,
@@ -98,8 +99,11 @@ template <class R, class S, class N>
   const Vec<Word, 3> from = gjk::converted<Word, R, 3>(t);
   gjk::Simplex<R, 3> best;
   R least = std::numeric_limits<R>::infinity();
-  for (const space::Face<N>& face : state.polytope.faces) {
-    if (face.is_outgrown || as_far < static_cast<R>(inner_distance(face))) continue;
+  const std::vector<space::Face<N>>& faces = state.polytope.faces;
+  for (int k = -1; k < static_cast<int>(faces.size()); ++k) {
+    const space::Face<N>& face = faces[k < 0 ? state.face : k];
+    if (k == state.face || face.is_outgrown || as_far < static_cast<R>(inner_distance(face)))
+      continue;
     gjk::Simplex<R, 3> out = simplex_of<R>(state.polytope, face);
     gjk::Simplex<Word, 3> careful = gjk::careful_simplex(out, query, prepared);
     for (int i = 0; i < 3; ++i) {
@@ -115,6 +119,8 @@ template <class R, class S, class N>
     if (!(distance < least)) continue;
     least = distance;
     best = out;
+    const auto last = out.weights.begin() + 3;
+    if (k < 0 && std::find(out.weights.begin(), last, R(0)) == last) break;
   }
   for (int i = 0; i < best.count; ++i)
     best.vertices[i] = gjk::support_point(query, prepared, best.vertices[i].pair);

@@ -1,8 +1,8 @@
 #pragma once
-// The plane through three points, with all digits however thin their triangle is, and which side of
-// it a fourth lies on, exactly. Each is computed in numbers that round, with a bound of the error,
-// and anew in exact ones where the bound is too large (Shewchuk 1997, "Adaptive precision
-// floating-point arithmetic and fast robust geometric predicates").
+// The plane through three points, and which side of it a fourth lies on, exactly. Both are computed
+// in numbers that round, with a bound of the error, anew with about twice the digits where it is
+// too large, and then in exact ones (Shewchuk 1997, "Adaptive precision floating-point arithmetic
+// and fast robust geometric predicates").
 
 #include "gjk/proof/careful.hpp"
 
@@ -11,13 +11,6 @@ namespace depth::space {
 using gjk::Expansion;
 using gjk::Vec;
 
-/// Normal n = (b - a) x (c - a), and side = dot(n, a), both times the same power of two.
-template <class N>
-struct Plane {
-  Vec<N, 3> n = Vec<N, 3>::Zero();
-  N side = N(0);
-};
-
 /// The number that stands for an R in planes: it has one exponent and one sign. That of Expansion
 /// rounds.
 template <class R>
@@ -25,6 +18,23 @@ using Plain = std::conditional_t<std::is_same_v<R, Expansion>, long double, R>;
 /// Planes in R round, and are exact otherwise.
 template <class R>
 inline constexpr bool kPlaneRounds = !gjk::ScalarTraits<Plain<R>>::kExact;
+
+template <class R>
+struct Triangle {
+  const Vec<R, 3>& a;
+  const Vec<R, 3>& b;
+  const Vec<R, 3>& c;
+};
+
+/// The plane of a triangle abc. `careful_plane` has all digits; a rough one is made without more,
+/// for most faces are outgrown before they are the nearest.
+template <class R>
+struct Plane {
+  Vec<Plain<R>, 3> n = Vec<Plain<R>, 3>::Zero();  ///< (b - a) x (c - a) times a power of two.
+  R distance_sq = R(0);          ///< O from it, squared; negative where O lies on the outer side.
+  Plain<R> error = Plain<R>(0);  ///< dot(n, p - a) errs by less than error * norm_1(p - a).
+  bool is_rough = false;         ///< `distance_sq` is less than that of `careful_plane`.
+};
 
 namespace detail {
 
@@ -37,120 +47,170 @@ template <class R>
 template <class R>
 using Word = gjk::DoubleWord<Plain<R>>;
 
-/// With about twice the digits; for numbers that round it is exact.
+/// From a to b with about twice the digits; for numbers that round it is exact.
 template <class R>
-[[nodiscard]] Vec<Word<R>, 3> in_words(const Vec<R, 3>& a) {
+[[nodiscard]] Vec<Word<R>, 3> way(const Vec<R, 3>& a, const Vec<R, 3>& b) {
+  using Traits = gjk::ScalarTraits<Plain<R>>;
   Vec<Word<R>, 3> out;
   for (int i = 0; i < 3; ++i) {
-    const auto most = gjk::ScalarTraits<Plain<R>>::from(a[i]);
-    out[i] = {most, gjk::ScalarTraits<Plain<R>>::from(R(a[i] - R(most)))};
+    if constexpr (gjk::ScalarTraits<R>::kExact) {
+      const R difference = b[i] - a[i];
+      const Plain<R> most = Traits::from(difference);
+      out[i] = {most, Traits::from(R(difference - R(most)))};
+    } else {
+      out[i] = gjk::exact_sum(b[i], R(-a[i]));
+    }
   }
   return out;
 }
+/// The product of the largest coordinates of b - a and c - a.
 template <class R>
-[[nodiscard]] Vec<Word<R>, 3> way_in_words(const Vec<R, 3>& a, const Vec<R, 3>& b) {
-  if constexpr (gjk::ScalarTraits<R>::kExact) {
-    return in_words<R>(b - a);
-  } else {
-    return in_words(b) - in_words(a);
-  }
+[[nodiscard]] Plain<R> area_of(const Triangle<R>& t) {
+  const auto size = [](const Vec<R, 3>& edge) {
+    return gjk::norm_max(Vec<Plain<R>, 3>(gjk::converted<Plain<R>, R, 3>(edge)));
+  };
+  return size(t.b - t.a) * size(t.c - t.a);
 }
 
+/// n = ab x ac, and side = dot(n, a).
 template <class N>
-[[nodiscard]] Plane<N> plane_in(const Vec<N, 3>& a, const Vec<N, 3>& ab, const Vec<N, 3>& ac) {
+struct Products {
+  Vec<N, 3> n;
+  N side;
+};
+template <class N>
+[[nodiscard]] Products<N> products(const Vec<N, 3>& a, const Vec<N, 3>& ab, const Vec<N, 3>& ac) {
   const Vec<N, 3> n = gjk::cross(ab, ac);
   return {n, gjk::dot(n, a)};
 }
-
-template <class To, class From>
-[[nodiscard]] Plane<To> converted(const Plane<From>& plane) {
-  return {gjk::converted<To, From, 3>(plane.n), gjk::ScalarTraits<To>::from(plane.side)};
-}
-
-/// Brought to a normal whose largest coordinate lies between 1 and 2.
-template <class To, class From>
-[[nodiscard]] Plane<To> in_good_unit(const Plane<From>& plane) {
-  const From size = gjk::norm_max(plane.n);
-  if (size == From(0)) return {};
-  const int exponent = -gjk::ScalarTraits<From>::exponent(size);
-  return converted<To>(Plane<From>{gjk::scaled(plane.n, exponent),
-                                   gjk::ScalarTraits<From>::scaled(plane.side, exponent)});
-}
-
+/// With all calls inlined, so that compilers split each number into halves once.
 template <class R>
-[[nodiscard, gnu::noinline]] Plane<Plain<R>> plane_from_exact(const Vec<R, 3>& a,
-                                                              const Vec<R, 3>& b,
-                                                              const Vec<R, 3>& c) {
-  const Vec<Expansion, 3> from = exact(a);
-  // Wide: products of three lengths may leave the range of R.
-  return in_good_unit<Plain<R>>(
-      converted<gjk::Wider<Plain<R>>>(plane_in<Expansion>(from, exact(b) - from, exact(c) - from)));
+[[nodiscard, gnu::flatten]] Products<Word<R>> products_in_words(const Triangle<R>& t,
+                                                                const Vec<R, 3>& from,
+                                                                const Vec<R, 3>& to) {
+  return products(way(from, to), way(t.a, t.b), way(t.a, t.c));
+}
+/// Wide: products of three lengths may leave the range of R.
+template <class R, class Wide = gjk::Wider<Plain<R>>>
+[[nodiscard, gnu::noinline]] Products<Wide> exact_products(const Triangle<R>& t) {
+  const Vec<Expansion, 3> a = exact(t.a);
+  const auto [n, side] = products<Expansion>(a, exact(t.b) - a, exact(t.c) - a);
+  return {gjk::converted<Wide, Expansion, 3>(n), gjk::ScalarTraits<Wide>::from(side)};
+}
+
+/// With l the sum of the coordinates of p - a and m the largest of n, n errs by less than 2 sqrt(3)
+/// u m, p - a by 2 u of itself, products by u, and sums by 2 u: 8.5 u m l in all. 16 leaves room
+/// for the bound's own rounding.
+template <class R, class N>
+[[nodiscard]] Plane<R> in_good_unit(const Products<N>& made) {
+  using Traits = gjk::ScalarTraits<Plain<R>>;
+  Plane<R> out;
+  const N size = gjk::norm_max(made.n);
+  if (size == N(0)) return out;
+  const N unit = gjk::ScalarTraits<N>::scaled(N(1), -gjk::ScalarTraits<N>::exponent(size));
+  out.n = gjk::converted<Plain<R>, N, 3>(Vec<N, 3>(made.n * unit));
+  const Plain<R> side = Traits::from(N(made.side * unit));
+  out.distance_sq = R(side * Plain<R>(gjk::magnitude(side) / gjk::dot(out.n, out.n)));
+  out.error = Plain<R>(16) * Traits::unit_roundoff() * gjk::norm_max(out.n);
+  return out;
 }
 
 }  // namespace detail
 
-/// The plane through abc. Where R rounds, and for Expansion, the largest coordinate of n lies
-/// between 1 and 2, each errs by less than 2 u times the length of n, and side by less than 2 u of
-/// itself, or is exactly 0. (u is that of long double for Expansion.) Where abc has no area n = 0.
+/// Where R rounds, and for Expansion, the largest coordinate of n lies between 1 and 2, each errs
+/// by less than 2 u times the length of n, and distance_sq by less than 12 u of itself, or is
+/// exactly 0. (u is that of long double for Expansion.) Where abc has no area n = 0.
 template <class R>
-[[nodiscard]] Plane<Plain<R>> plane_through(const Vec<R, 3>& a, const Vec<R, 3>& b,
-                                            const Vec<R, 3>& c) {
+[[nodiscard]] Plane<R> careful_plane(const Triangle<R>& t) {
   if constexpr (!kPlaneRounds<R>) {
-    return detail::plane_in<R>(a, b - a, c - a);
+    const auto [n, side] = detail::products<R>(t.a, t.b - t.a, t.c - t.a);
+    if (gjk::is_zero(n)) return {};
+    return {n, side * R(gjk::magnitude(side) / gjk::dot(n, n))};
   } else {
     using N = Plain<R>;
-    using Word = detail::Word<R>;
-    const auto size_of = [](const Vec<Word, 3>& v) {
-      return gjk::norm_max(Vec<N, 3>(gjk::converted<N, Word, 3>(v)));
-    };
-    const Vec<Word, 3> from = detail::in_words(a);
-    const Vec<Word, 3> ab = detail::way_in_words(a, b);
-    const Vec<Word, 3> ac = detail::way_in_words(a, c);
-    const auto plane = detail::converted<N>(detail::plane_in<Word>(from, ab, ac));
+    const auto words = detail::products_in_words<R>(t, Vec<R, 3>::Zero(), t.a);
+    const detail::Products<N> made = {gjk::converted<N, detail::Word<R>, 3>(words.n),
+                                      words.side.hi};
     // Words err by about 24 u^2 of the products of their lengths in n, 40 u^2 in side.
     const N enough = N(512) * gjk::ScalarTraits<N>::unit_roundoff();
     const N least = std::numeric_limits<N>::min() / enough;
-    const N area = enough * N(size_of(ab) * size_of(ac));
-    const bool is_good = gjk::larger(area, least) < gjk::norm_max(plane.n) &&
-                         gjk::larger(N(area * size_of(from)), least) < gjk::magnitude(plane.side);
-    return is_good ? detail::in_good_unit<N>(plane) : detail::plane_from_exact<R>(a, b, c);
+    const N area = enough * detail::area_of(t);
+    const N volume = area * N(gjk::norm_max(gjk::converted<N, R, 3>(t.a)));
+    if (gjk::larger(area, least) < gjk::norm_max(made.n) &&
+        gjk::larger(volume, least) < gjk::magnitude(made.side))
+      return detail::in_good_unit<R>(made);
+    return detail::in_good_unit<R>(detail::exact_products(t));
   }
 }
 
-/// Squared distance of O from a plane, side^2 / |n|^2: negative where O lies on the outer side, 0
-/// where n = 0. It errs by less than 12 u of itself where planes round.
-template <class N>
-[[nodiscard]] N distance_sq(const Plane<N>& plane) {
-  if (gjk::is_zero(plane.n)) return N(0);
-  return plane.side * N(gjk::magnitude(plane.side) / gjk::dot(plane.n, plane.n));
+/// A rough plane where that will do. With s the product of the largest coordinates of b - a and
+/// c - a those of n are up to 2 s and err by 8 u s, and products with p - a by 5 u 2 s more: 18 u
+/// s; in length n errs by 14 u s. Squared, the distance rounds by at most 32 u, and that of
+/// `careful_plane` may be 12 u of itself away.
+template <class R>
+[[nodiscard]] Plane<R> face_plane(const Triangle<R>& t) {
+  if constexpr (std::is_floating_point_v<R>) {
+    const R u = gjk::ScalarTraits<R>::unit_roundoff();
+    Plane<R> out;
+    out.n = gjk::cross(Vec<R, 3>(t.b - t.a), Vec<R, 3>(t.c - t.a));
+    out.error = R(24) * u * detail::area_of(t);
+    const R n_sq = gjk::dot(out.n, out.n);
+    const R size = std::sqrt(n_sq);
+    const R side = gjk::dot(out.n, t.a) - out.error * gjk::norm_1(t.a);
+    const R error = side < R(0) ? -out.error : out.error;
+    const R distance = side / (size + error);
+    out.distance_sq = distance * (gjk::magnitude(distance) - R(64) * u * distance);
+    out.is_rough = true;
+    // Not thin, and nothing that counts underflows.
+    const R least = std::numeric_limits<R>::min() / u;
+    const R smallest = gjk::smaller(gjk::smaller(out.error, n_sq),
+                                    gjk::smaller(std::abs(side), std::abs(out.distance_sq)));
+    if (R(2) * out.error < size && least < smallest) return out;
+  }
+  return careful_plane(t);
 }
 
-/// True when abc lie on one line. Exact.
+/// True when abc lie on one line. Exact: where it is thin no plane is rough.
 template <class R>
 [[nodiscard]] bool has_no_area(const Vec<R, 3>& a, const Vec<R, 3>& b, const Vec<R, 3>& c) {
-  return gjk::is_zero(plane_through(a, b, c).n);
+  return gjk::is_zero(face_plane<R>({a, b, c}).n);
 }
 
-/// The side of the plane through abc on which p lies: 1 where abc turns counter-clockwise seen from
-/// p, -1 where clockwise, 0 in the plane. Exact. `n`: the normal that `plane_through` gives.
+namespace detail {
+
+/// `side_of` where the error of a plane leaves it open. Faces of Z that an edge of X and one of Y
+/// make are parallelograms, often exactly. Words err by less than 24 u^2 of the products of their
+/// lengths in n, and by 40 u^2 with it; 64 leaves room for the bound's rounding, and min() for
+/// underflow.
 template <class R>
-[[nodiscard]] int side_of(const Vec<R, 3>& a, const Vec<R, 3>& b, const Vec<R, 3>& c,
-                          const Vec<Plain<R>, 3>& n, const Vec<R, 3>& p) {
+[[nodiscard, gnu::noinline]] int careful_side(const Triangle<R>& t, const Vec<R, 3>& p) {
   using N = Plain<R>;
-  const Vec<N, 3> way = gjk::converted<N, R, 3>(Vec<R, 3>(p - a));
-  const N side = gjk::dot(n, way);
+  if constexpr (!gjk::ScalarTraits<R>::kExact) {
+    const Vec<Word<R>, 3> ap = way(t.a, p);
+    if (ap == way(t.b, t.c) || ap == way(t.c, t.b) || way(t.b, p) == way(t.a, t.c)) return 0;
+  }
+  const N side = products_in_words(t, t.a, p).side.hi;
+  const N u = gjk::ScalarTraits<N>::unit_roundoff();
+  const N least = std::numeric_limits<N>::min();
+  const N length = gjk::norm_1(Vec<N, 3>(gjk::converted<N, R, 3>(Vec<R, 3>(p - t.a))));
+  const N rounding = length * N(N(64) * u * u * area_of(t) + least) + least;
+  if (rounding < gjk::magnitude(side)) return side < N(0) ? -1 : 1;
+  const Vec<Expansion, 3> a = exact(t.a);
+  return products<Expansion>(exact(p) - a, exact(t.b) - a, exact(t.c) - a).side.sign();
+}
+
+}  // namespace detail
+
+/// The side of the plane of a triangle on which p lies: 1 where it turns counter-clockwise seen
+/// from p, -1 where clockwise, 0 in the plane. Exact.
+template <class R>
+[[nodiscard]] int side_of(const Triangle<R>& t, const Plane<R>& plane, const Vec<R, 3>& p) {
+  using N = Plain<R>;
+  const Vec<N, 3> way = gjk::converted<N, R, 3>(Vec<R, 3>(p - t.a));
+  const N side = gjk::dot(plane.n, way);
   if constexpr (kPlaneRounds<R>) {
-    // With m the largest coordinate of n and l the sum of those of the way, n errs by less than 2
-    // sqrt(3) u m, the way by 2 u of itself, products by u, and sums by 2 u: 8.5 u m l in all. 16
-    // leaves room for the bound's own rounding.
-    const N rounding =
-        N(16) * gjk::ScalarTraits<N>::unit_roundoff() * gjk::norm_max(n) * gjk::norm_1(way);
-    if (!(rounding + std::numeric_limits<N>::min() < gjk::magnitude(side))) {
-      const Vec<Expansion, 3> from = detail::exact(a);
-      return gjk::determinant<Expansion, 3>(
-                 {detail::exact(b) - from, detail::exact(c) - from, detail::exact(p) - from})
-          .sign();
-    }
+    const N rounding = plane.error * gjk::norm_1(way) + std::numeric_limits<N>::min();
+    if (!(rounding < gjk::magnitude(side))) return detail::careful_side(t, p);
   }
   return int{N(0) < side} - int{side < N(0)};
 }

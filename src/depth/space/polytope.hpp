@@ -16,12 +16,17 @@ namespace depth::space {
 /// A triangle, its corners counter-clockwise seen from outside. One that the polytope has outgrown
 /// stays where it is, so that indices keep their meaning.
 template <class R>
-struct Face {
+struct Face : Plane<R> {
   std::array<int, 3> corners = {};
   std::array<int, 3> neighbours = {};  ///< [i] lies beyond the edge from corner i to the next one.
-  R distance_sq = R(0);  ///< O from its plane, squared; negative where O lies outside of it.
   bool is_outgrown = false;
-  Vec<Plain<R>, 3> n = Vec<Plain<R>, 3>::Zero();  ///< See plane_through.
+};
+
+/// An edge of the horizon, and the face beyond it, which stays.
+struct HorizonEdge {
+  int from = 0;
+  int to = 0;
+  int beyond = 0;
 };
 
 /// Some points of Z and their convex hull. A hull that is flat has two faces, back to back; where
@@ -32,9 +37,14 @@ struct Polytope {
   std::vector<Face<R>> faces;
   /// A heap of faces, the nearest in front. Outgrown ones stay until they come to the front.
   std::vector<int> heap;
+  std::vector<int> seen;          ///< By the point that is added; kept for the room it has,
+  std::vector<HorizonEdge> ring;  ///< as is the horizon.
 
   [[nodiscard]] const Vec<R, 3>& at(const Face<R>& face, int i) const {
     return corners[face.corners[i]].w;
+  }
+  [[nodiscard]] Triangle<R> triangle(const std::array<int, 3>& of) const {
+    return {corners[of[0]].w, corners[of[1]].w, corners[of[2]].w};
   }
 };
 
@@ -44,7 +54,7 @@ namespace detail {
 template <class R>
 [[nodiscard]] bool sees(const Polytope<R>& polytope, int face, const Vec<R, 3>& p, int least = 1) {
   const Face<R>& f = polytope.faces[face];
-  return least <= side_of<R>(polytope.at(f, 0), polytope.at(f, 1), polytope.at(f, 2), f.n, p);
+  return least <= side_of<R>(polytope.triangle(f.corners), f, p);
 }
 
 /// The order of the heap: is a farther than b? Of equal ones the older is nearer.
@@ -58,48 +68,50 @@ template <class R>
   };
 }
 
+template <class R>
+void make_careful(const Polytope<R>& polytope, Face<R>& face) {
+  if (face.is_rough) static_cast<Plane<R>&>(face) = careful_plane(polytope.triangle(face.corners));
+}
+
+template <class R>
+void push(Polytope<R>& polytope, int face) {
+  polytope.heap.push_back(face);
+  std::push_heap(polytope.heap.begin(), polytope.heap.end(), is_farther(polytope));
+}
+
 /// Adds a face, whose neighbours are set elsewhere.
 template <class R>
 int add_face(Polytope<R>& polytope, const std::array<int, 3>& corners) {
-  Face<R> face;
-  face.corners = corners;
-  const Plane<Plain<R>> plane =
-      plane_through<R>(polytope.at(face, 0), polytope.at(face, 1), polytope.at(face, 2));
-  face.distance_sq = R(distance_sq(plane));
-  face.n = plane.n;
   const int added = static_cast<int>(polytope.faces.size());
-  polytope.faces.push_back(std::move(face));
-  polytope.heap.push_back(added);
-  std::push_heap(polytope.heap.begin(), polytope.heap.end(), is_farther(polytope));
+  polytope.faces.push_back({face_plane(polytope.triangle(corners)), corners});
+  push(polytope, added);
   return added;
 }
 
-/// The nearest face, which leaves the heap: it ends the run, or it is replaced.
+/// The nearest face, which leaves the heap: it ends the run, or it is replaced. A rough plane in
+/// front may lie behind another one when it is known better.
 template <class R>
 [[nodiscard]] int take_nearest(Polytope<R>& polytope) {
+  std::vector<int>& heap = polytope.heap;
   for (;;) {
-    std::pop_heap(polytope.heap.begin(), polytope.heap.end(), is_farther(polytope));
-    const int face = polytope.heap.back();
-    polytope.heap.pop_back();
-    if (!polytope.faces[face].is_outgrown) return face;
+    std::pop_heap(heap.begin(), heap.end(), is_farther(polytope));
+    const int taken = heap.back();
+    heap.pop_back();
+    Face<R>& face = polytope.faces[taken];
+    if (face.is_outgrown) continue;
+    make_careful(polytope, face);
+    if (heap.empty() || !is_farther(polytope)(taken, heap.front())) return taken;
+    push(polytope, taken);
   }
 }
 
-/// An edge of the horizon, and the face beyond it, which stays.
-struct HorizonEdge {
-  int from = 0;
-  int to = 0;
-  int beyond = 0;
-};
-
 /// Marks the faces that see p, or lie in one plane with it, from one that does. They are all
-/// connected, and so are those that stay: their common boundary is one ring, which is returned in
-/// order.
-template <class R, class Rec>
-[[nodiscard]] std::vector<HorizonEdge> outgrow(Polytope<R>& polytope, int first, const Vec<R, 3>& p,
-                                               Rec& record) {
+/// connected, and so are those that stay: their common boundary is one ring, in order.
+template <class R>
+void outgrow(Polytope<R>& polytope, int first, const Vec<R, 3>& p) {
   std::vector<Face<R>>& faces = polytope.faces;
-  std::vector<int> seen = {first};
+  std::vector<int>& seen = polytope.seen;
+  seen.assign(1, first);
   faces[first].is_outgrown = true;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     for (const int beyond : faces[seen[k]].neighbours) {
@@ -108,7 +120,8 @@ template <class R, class Rec>
       seen.push_back(beyond);
     }
   }
-  std::vector<HorizonEdge> ring;
+  std::vector<HorizonEdge>& ring = polytope.ring;
+  ring.clear();
   for (const int face : seen) {
     const Face<R>& gone = faces[face];
     for (int i = 0; i < 3; ++i) {
@@ -122,24 +135,23 @@ template <class R, class Rec>
                                    [&](const HorizonEdge& e) { return e.from == ring[k - 1].to; });
     std::swap(ring[k], *next);
   }
-  if constexpr (Rec::kOn) record.outgrown = std::move(seen);
-  return ring;
 }
 
 /// Makes the polytope the hull of itself and of a point that `first` sees.
 template <class R, class Rec>
 void add_corner(Polytope<R>& polytope, int first, const gjk::SupportPoint<R, 3>& point,
                 Rec& record) {
-  const std::vector<HorizonEdge> ring = outgrow(polytope, first, point.w, record);
+  outgrow(polytope, first, point.w);
+  if constexpr (Rec::kOn) record.outgrown = polytope.seen;
   const int apex = static_cast<int>(polytope.corners.size());
   polytope.corners.push_back(point);
   const int base = static_cast<int>(polytope.faces.size());
-  const int count = static_cast<int>(ring.size());
+  const int count = static_cast<int>(polytope.ring.size());
   for (int k = 0; k < count; ++k) {
-    const HorizonEdge& edge = ring[static_cast<std::size_t>(k)];
+    const HorizonEdge& edge = polytope.ring[static_cast<std::size_t>(k)];
     const int added = add_face(polytope, {edge.from, edge.to, apex});
-    polytope.faces[added].neighbours = {edge.beyond, base + (k + 1) % count,
-                                        base + (k + count - 1) % count};
+    polytope.faces[added].neighbours = {edge.beyond, k + 1 < count ? added + 1 : base,
+                                        k > 0 ? added - 1 : base + count - 1};
     Face<R>& beyond = polytope.faces[edge.beyond];
     for (int i = 0; i < 3; ++i) {
       if (beyond.corners[i] == edge.to && beyond.corners[(i + 1) % 3] == edge.from)
@@ -178,6 +190,9 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
   using Point = gjk::SupportPoint<R, 3>;
   space::Polytope<R>& polytope = state.polytope;
   std::vector<Point>& corners = polytope.corners;
+  corners.reserve(16);
+  polytope.faces.reserve(64);
+  polytope.heap.reserve(64);
   const auto take = [&](const Point& point) {
     const std::size_t count = corners.size();
     const bool fits = count == 0 ||
@@ -213,6 +228,14 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
       break;
     }
   }
+}
+
+/// Makes all planes careful, as a trace shows them. No decision depends on it.
+template <class R>
+void measure_all(State<R, 3>& state) {
+  space::Polytope<R>& polytope = state.polytope;
+  for (space::Face<R>& face : polytope.faces) space::detail::make_careful(polytope, face);
+  std::make_heap(polytope.heap.begin(), polytope.heap.end(), space::detail::is_farther(polytope));
 }
 
 /// Corner i of the nearest face.

@@ -31,8 +31,10 @@ class DepthWidener {
     for (const gjk::SupportPoint<S, 3>& corner : value.polytope.corners)
       out.polytope.corners.push_back(point(corner));
     for (const depth::space::Face<S>& face : value.polytope.faces) {
-      out.polytope.faces.push_back(
-          {face.corners, face.neighbours, square(face.distance_sq), face.is_outgrown});
+      out.polytope.faces.push_back({{.distance_sq = square(face.distance_sq)},
+                                    face.corners,
+                                    face.neighbours,
+                                    face.is_outgrown});
     }
     out.face = value.face;
     return out;

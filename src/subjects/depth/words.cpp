@@ -82,6 +82,20 @@ class TellingOf {
                                      x(), y(), number(upper));
   }
 
+  /// What the phase that is over has done. `own`: this, with the words that differ.
+  void phase(auto& own) {
+    switch (shown_.step->phase) {
+      case Phase::nearest:
+        return own.nearest();
+      case Phase::support:
+        return support([&](double length) { return own.is_zero(length); });
+      case Phase::stop:
+        return shown_.has_stopped() ? stop() : own.go_on();
+      case Phase::expand:
+        return own.expand();
+    }
+  }
+
   /// The run has ended.
   void stop() {
     switch (state_.stop) {
@@ -133,6 +147,8 @@ class TellingOf {
 };
 
 class Telling : TellingOf<Shown> {
+  friend class TellingOf<Shown>;
+
  public:
   Telling(const Story& story, FrameText& text)
       : TellingOf(story, text, {"polygon", "edge", "an end"}) {}
@@ -148,16 +164,7 @@ class Telling : TellingOf<Shown> {
           "a polygon in Z.";
       return;
     }
-    switch (shown_.step->phase) {
-      case Phase::nearest:
-        return nearest();
-      case Phase::support:
-        return support([&](double length) { return is_zero(length); });
-      case Phase::stop:
-        return shown_.has_stopped() ? stop() : go_on();
-      case Phase::expand:
-        return expand();
-    }
+    phase(*this);
   }
 
  private:
@@ -232,6 +239,8 @@ class Telling : TellingOf<Shown> {
 };
 
 class TellingInSpace : TellingOf<ShownInSpace> {
+  friend class TellingOf<ShownInSpace>;
+
  public:
   TellingInSpace(const Story& story, FrameText& text)
       : TellingOf(story, text, {"polytope", "face", "a corner"}) {}
@@ -240,16 +249,7 @@ class TellingInSpace : TellingOf<ShownInSpace> {
     if (shown_.polytope().faces.empty()) return apart();
     if (shown_.is_answer) return answer();
     if (shown_.step == nullptr) return first_polytope();
-    switch (shown_.step->phase) {
-      case Phase::nearest:
-        return nearest();
-      case Phase::support:
-        return support([&](double length) { return is_zero(length); });
-      case Phase::stop:
-        return shown_.has_stopped() ? stop() : visible();
-      case Phase::expand:
-        return expand();
-    }
+    phase(*this);
   }
 
  private:
@@ -305,7 +305,7 @@ class TellingInSpace : TellingOf<ShownInSpace> {
         number(shown_.step->bounds.lower));
   }
 
-  void visible() {
+  void go_on() {
     std::vector<int> seen = std::next(shown_.step)->record.outgrown;
     std::sort(seen.begin(), seen.end());
     const std::size_t ring = std::next(shown_.step)->record.added.size();
