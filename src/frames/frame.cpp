@@ -356,14 +356,10 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
         std::max(prose_lines, wrapped(fonts_, type::kProse, text.prose, text_width).size());
   }
   std::size_t caption_lines = kCaptionLines;
-  if (is_narrow(page_)) {
-    const auto lines_of = [&](const TextStyle& style, const std::string& text) {
-      return wrapped(fonts_, style, text, text_width).size();
-    };
-    for (const FrameText& text : texts_) {
-      caption_lines = std::max(caption_lines, lines_of(type::kCaption, text.caption) +
-                                                  lines_of(type::kDetail, text.detail));
-    }
+  for (const FrameText& text : texts_) {
+    const std::size_t lines = wrapped(fonts_, type::kCaption, text.caption, text_width).size() +
+                              wrapped(fonts_, type::kDetail, text.detail, text_width).size();
+    caption_lines = std::max(caption_lines, lines);
   }
   const auto camera_on = [&](std::size_t view, const Rect& card) {
     // One that was set on shapes of the other dimension shows nothing of these.

@@ -166,8 +166,8 @@ bool hides(const Mark& later, const Mark& mark) {
          (are_same(line->points[0], to) && are_same(line->points[1], from));
 }
 
-/// A line between two ends that are one, or an area that the lines around it cover.
-bool is_too_thin(const Mark& mark) {
+/// A line that is hardly a dot, or an area that the lines around it cover.
+bool is_too_small(const Mark& mark) {
   const Polygon* area = std::get_if<Polygon>(&mark.shape);
   const Polyline* line = std::get_if<Polyline>(&mark.shape);
   if (area == nullptr && line == nullptr) return false;
@@ -181,8 +181,9 @@ bool is_too_thin(const Mark& mark) {
     twice_area += (from - points[0]).x() * (to - points[0]).y() -
                   (from - points[0]).y() * (to - points[0]).x();
   }
+  constexpr double kShortest = 4.0;  // pixels of a line
   constexpr double kThinnest = 3.5;  // pixels from the middle of an area to its edges
-  return around < kSame || (area != nullptr && std::abs(twice_area) < kThinnest * around);
+  return area ? std::abs(twice_area) < kThinnest * around : around < 2.0 * kShortest;
 }
 
 }  // namespace
@@ -190,7 +191,7 @@ bool is_too_thin(const Mark& mark) {
 const Mark* mark_of(const Scene& scene, std::string_view role) {
   const auto is_seen = [&](const Mark& mark) {
     const auto later = scene.marks.begin() + (&mark - scene.marks.data()) + 1;
-    return mark.role == role && !is_too_thin(mark) &&
+    return mark.role == role && !is_too_small(mark) &&
            std::none_of(later, scene.marks.end(),
                         [&](const Mark& other) { return hides(other, mark); });
   };
