@@ -69,8 +69,16 @@ void Asking::choose(const std::string& choice) {
 void Asking::choose_half(std::size_t half, const std::string& name) {
   highlighted_ = typed_ = 0;
   halves_[half] = name;
-  if (!halves_[0].empty() && !halves_[1].empty())
-    answer(fmt::format("{}−{}", halves_[0], halves_[1]));
+  if (halves_[0].empty() || halves_[1].empty()) return;
+  // Choices are all pairs, in the order of the two lists.
+  const FrameQuestion& question = *app_.session().question();
+  std::size_t choice = 0;
+  for (std::size_t i = 0; i < halves_.size(); ++i) {
+    const std::vector<std::string>& names = question.pair[i].vertices;
+    const auto place = std::find(names.begin(), names.end(), halves_[i]) - names.begin();
+    choice = choice * names.size() + static_cast<std::size_t>(place);
+  }
+  answer(question.choices[choice]);
 }
 
 void Asking::type(int digit) {

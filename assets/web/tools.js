@@ -52,7 +52,10 @@ function showListing() {
   $("copy-code").hidden = language === "pseudocode";
 }
 
-/** A question for two vertices has two short lists, which may be answered in either order. */
+/**
+ * A question for two vertices has two short lists, which may be answered in either order. Its choices are all pairs of
+ * both, in their order.
+ */
 function showChoices({ choices, pair, drawn }) {
   const button = (textContent, onclick) => element("button", { type: "button", textContent, onclick });
   const hint = drawn ? [element("span", { className: "drawn", textContent: "or point at it in the figure" })] : [];
@@ -66,7 +69,9 @@ function showChoices({ choices, pair, drawn }) {
     const list = element("fieldset", {}, legend, ...vertices.map((vertex) => button(vertex, (event) => {
       chosen[i] = vertex;
       for (const each of list.querySelectorAll("button")) each.setAttribute("aria-pressed", each === event.currentTarget);
-      if (!chosen.includes(null)) choose(chosen.join("−"));
+      if (chosen.includes(null)) return;
+      const [first, second] = pair.map((half, k) => half.vertices.indexOf(chosen[k]));
+      choose(choices[first * pair[1].vertices.length + second]);
     })));
     list.querySelectorAll("button").forEach((each) => each.setAttribute("aria-pressed", "false"));
     return list;

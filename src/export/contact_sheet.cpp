@@ -7,6 +7,7 @@
 
 #include "base/file.hpp"
 #include "base/html.hpp"
+#include "subjects/course_map/tiles.hpp"
 
 namespace gjkscope {
 namespace {
@@ -71,12 +72,9 @@ std::string map_of_chapters(const std::vector<ExportedLesson>& lessons) {
         std::find_if(lessons.begin(), lessons.end(),
                      [&](const ExportedLesson& each) { return each.chapter == chapter; });
     if (first == lessons.end()) continue;
-    const Rect& tile = map->tiles[i];
-    html += fmt::format(
-        R"(<a href="#{}" aria-label="Chapter {}" style="left: {:.2f}%; top: {:.2f}%; width: {:.2f}%; height: {:.2f}%"></a>)",
-        escape_html(first->id), chapter, 100.0 * tile.min.x() / map->width,
-        100.0 * tile.min.y() / map->height, 100.0 * tile.size().x() / map->width,
-        100.0 * tile.size().y() / map->height);
+    html += fmt::format(R"(<a href="#{}" aria-label="Chapter {}" style="{}"></a>)",
+                        escape_html(first->id), chapter,
+                        style_of_tile(map->tiles[i], Point(map->width, map->height)));
   }
   return html + "</div>\n";
 }

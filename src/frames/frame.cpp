@@ -181,17 +181,13 @@ namespace {
 /// The last frame answers the questions that were asked right before it.
 void tell_answers(std::vector<FrameText>& texts) {
   FrameText& answering = texts.back();
+  std::string& detail = answering.detail;
   std::string answers;
   for (std::size_t i = texts.size() - 1; i > 0 && texts[i - 1].question; --i) {
     const std::string& answer = texts[i - 1].question->answer;
     texts[i - 1].question->reason = answering.caption;
-    // There is room for what the run says against the other choices, and for one sentence more.
-    if (const std::string& refuted = texts[i - 1].question->refuted; !refuted.empty()) {
-      std::string& detail = answering.detail;
-      if (const std::size_t end = detail.find(". "); end != std::string::npos)
-        detail.erase(end + 1);
+    if (const std::string& refuted = texts[i - 1].question->refuted; !refuted.empty())
       detail += (detail.empty() ? "" : " ") + refuted;
-    }
     answers = answers.empty() ? answer : answer + "; " + answers;
   }
   if (answers.empty()) return;
@@ -211,8 +207,9 @@ std::vector<FrameText> lesson_texts(const LessonRun& run, EffectGraph& effects) 
   }
   if (texts.empty()) return texts;
   if (!run.lesson.opening.empty()) {
-    texts.front().detail = texts.front().caption;
-    texts.front().caption = run.lesson.opening;
+    FrameText& first = texts.front();
+    first.detail = first.caption + (first.detail.empty() ? "" : " ") + first.detail;
+    first.caption = run.lesson.opening;
   }
   if (!run.lesson.next.empty()) {
     std::string& detail = texts.back().detail;
@@ -359,14 +356,10 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
         std::max(prose_lines, wrapped(fonts_, type::kProse, text.prose, text_width).size());
   }
   std::size_t caption_lines = kCaptionLines;
-  if (is_narrow(page_)) {
-    const auto lines_of = [&](const TextStyle& style, const std::string& text) {
-      return wrapped(fonts_, style, text, text_width).size();
-    };
-    for (const FrameText& text : texts_) {
-      caption_lines = std::max(caption_lines, lines_of(type::kCaption, text.caption) +
-                                                  lines_of(type::kDetail, text.detail));
-    }
+  for (const FrameText& text : texts_) {
+    const std::size_t lines = wrapped(fonts_, type::kCaption, text.caption, text_width).size() +
+                              wrapped(fonts_, type::kDetail, text.detail, text_width).size();
+    caption_lines = std::max(caption_lines, lines);
   }
   const auto camera_on = [&](std::size_t view, const Rect& card) {
     // One that was set on shapes of the other dimension shows nothing of these.
@@ -524,7 +517,9 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
       const bool of_s = entry.role == "simplex.vertex";
       if (of_s && run_.point_query() && !run_.act->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
-        if (!roles[at].contains(entry.role)) continue;
+        if (!roles[at].contains(entry.role) ||
+            !mark_of(scene(views_[at % views_.size()], at / views_.size()), entry.role))
+          continue;
         if (explained_[at].size() < kMost) explained_[at].push_back(entry);
         break;
       }
@@ -740,15 +735,16 @@ Picture LessonPictures::picture(int index, const FrameText& text,
     page.add("view-title.box",
              Box{{card.min + Point::Constant(kCardBorder), view.title_box.max - Point(6.0, 3.0)},
                  kCardCorner - kCardBorder});
-    if (is_trail(run_.frames[at]) && !has_cells(run_, i)) {
-      page.write("view-title", card.min + Point(14.0, 26.0), "Distance, as proved",
-                 type::kViewTitle);
-      continue;
-    }
-    for (std::size_t line = 0; line < view.title.size(); ++line) {
-      const Point start(14.0, 26.0 + kTitleLine * static_cast<double>(line));
-      page.write("view-title", card.min + start, view.title[line], type::kViewTitle);
-    }
+    const bool is_of_bounds = is_trail(run_.frames[at]) && !has_cells(run_, i);
+    // An act may fill a view of the shapes with its plot.
+    const bool is_of_act = view.shown.kind != ViewKind::plot && run_.act->plot_title != nullptr &&
+                           !is_trail(run_.frames[at]) &&
+                           mark_of(scene(view, at), "plot.axis") != nullptr;
+    page.write_lines("view-title", card.min + Point(14.0, 26.0),
+                     is_of_bounds ? std::vector<std::string>{"Distance, as proved"}
+                     : is_of_act  ? std::vector<std::string>{run_.act->plot_title(run_)}
+                                  : view.title,
+                     type::kViewTitle, kTitleLine);
   }
   if (panel_) {
     page.add("card", Box{*panel_, kCardCorner});

@@ -9,6 +9,7 @@
 #include "picture/close_up.hpp"
 #include "picture/plot.hpp"
 #include "picture/text_box.hpp"
+#include "picture/words.hpp"
 #include "run/trail.hpp"
 #include "subjects/difference/minkowski.hpp"
 
@@ -69,10 +70,10 @@ Camera fitted(const LessonRun& run, const LessonView& view, Camera camera, const
 /// "2: S = {N−C, K−D}"
 std::string caption_of(const LessonRun& run, const Frame& frame) {
   const WideSimplex& simplex = run.state(frame).simplex;
+  const SimplexWords words(run, simplex);
   std::string names;
-  for (int i = 0; i < simplex.count; ++i)
-    names +=
-        (i > 0 ? ", " : "") + run.pair_name(simplex.vertices[static_cast<std::size_t>(i)].pair);
+  for (const int i : words.order(simplex.all()))
+    names += (names.empty() ? "" : ", ") + words.vertex(i);
   return fmt::format("{}: S = {{{}}}", run.step(frame).iteration, names);
 }
 
@@ -148,9 +149,7 @@ std::vector<Mark> bounds_marks(const PositionedRun& run, const Fonts& fonts, con
   double most = 0.0;
   for (const Eigen::Vector2d& p : upper.points) most = std::max(most, p.y());
   Plot plot;
-  constexpr double kLeast = 6.0;  // an axis that is shorter would count halves
-  plot.x = {
-      .low = 0.0, .high = std::max(kLeast, upper.points.back().x() + 1.0), .title = "iteration"};
+  plot.x = {.low = 0.5, .high = upper.points.back().x() + 0.5, .title = "iteration"};
   plot.y = {.low = 0.0, .high = most > 0.0 ? 1.05 * most : 1.0, .title = "distance"};
   plot.series = {std::move(upper), std::move(lower)};
   return plot_marks(plot, fonts, area);

@@ -1,6 +1,7 @@
 #include "picture/legend.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -135,11 +136,66 @@ std::optional<Point> place_for(const std::vector<LegendRow>& rows, const Scene& 
   return best;
 }
 
+constexpr double kSame = 0.5;  // pixels between ends that are drawn as one
+
+bool are_same(const Point& a, const Point& b) { return (a - b).norm() < kSame; }
+
+/// Whether a mark that is drawn later leaves nothing to be seen of one: a disk in the middle of a
+/// larger disk or of a diamond, a line between the same ends.
+bool hides(const Mark& later, const Mark& mark) {
+  if (later.role == mark.role) return false;
+  if (const Disk* disk = std::get_if<Disk>(&mark.shape)) {
+    if (const Disk* over = std::get_if<Disk>(&later.shape))
+      return over->radius < sizes::kRingRadius &&
+             (over->center - disk->center).norm() + disk->radius < over->radius + kSame;
+    const Polygon* over = std::get_if<Polygon>(&later.shape);
+    if (over == nullptr || over->points.size() != 4) return false;
+    const double half = 0.5 * (over->points[2] - over->points[0]).norm();
+    constexpr double kAround = 1.35;  // radii of a disk: half of the diamond around it
+    constexpr double kMost = 15.0;    // half of a diamond; larger ones are areas
+    return are_same(0.5 * (over->points[0] + over->points[2]), disk->center) &&
+           half > kAround * disk->radius && half < kMost;
+  }
+  const Polyline* line = std::get_if<Polyline>(&mark.shape);
+  const Polyline* over = std::get_if<Polyline>(&later.shape);
+  if (line == nullptr || over == nullptr || line->points.size() != 2 || over->points.size() != 2)
+    return false;
+  const Point& from = over->points[0];
+  const Point& to = over->points[1];
+  return (are_same(line->points[0], from) && are_same(line->points[1], to)) ||
+         (are_same(line->points[0], to) && are_same(line->points[1], from));
+}
+
+/// A line that is hardly a dot, or an area that the lines around it cover.
+bool is_too_small(const Mark& mark) {
+  const Polygon* area = std::get_if<Polygon>(&mark.shape);
+  const Polyline* line = std::get_if<Polyline>(&mark.shape);
+  if (area == nullptr && line == nullptr) return false;
+  const std::vector<Point>& points = area ? area->points : line->points;
+  double around = 0.0;
+  double twice_area = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& from = points[i];
+    const Point& to = points[(i + 1) % points.size()];
+    around += (to - from).norm();
+    twice_area += (from - points[0]).x() * (to - points[0]).y() -
+                  (from - points[0]).y() * (to - points[0]).x();
+  }
+  constexpr double kShortest = 4.0;  // pixels of a line
+  constexpr double kThinnest = 3.5;  // pixels from the middle of an area to its edges
+  return area ? std::abs(twice_area) < kThinnest * around : around < 2.0 * kShortest;
+}
+
 }  // namespace
 
 const Mark* mark_of(const Scene& scene, std::string_view role) {
-  const auto found = std::find_if(scene.marks.begin(), scene.marks.end(),
-                                  [&](const Mark& mark) { return mark.role == role; });
+  const auto is_seen = [&](const Mark& mark) {
+    const auto later = scene.marks.begin() + (&mark - scene.marks.data()) + 1;
+    return mark.role == role && !is_too_small(mark) &&
+           std::none_of(later, scene.marks.end(),
+                        [&](const Mark& other) { return hides(other, mark); });
+  };
+  const auto found = std::find_if(scene.marks.begin(), scene.marks.end(), is_seen);
   return found == scene.marks.end() ? nullptr : &*found;
 }
 

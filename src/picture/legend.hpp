@@ -14,7 +14,7 @@ struct LegendEntry {
   std::string_view text;
 };
 
-/// The first mark with this role; null where there is none.
+/// The first mark with this role that is to be seen; null where there is none.
 [[nodiscard]] const Mark* mark_of(const Scene& scene, std::string_view role);
 
 /// A mark, and what it means.

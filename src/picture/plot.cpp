@@ -110,13 +110,24 @@ std::vector<PlotTick> powers_of_ten(const PlotAxis& axis, int most) {
   return ticks;
 }
 
-/// With as many numbers as stand `gap` apart along `length` pixels. The last one may reach `beyond`
-/// the end.
+constexpr int kMostTicks = 12;
+
+/// The most numbers of an x axis: where points have whole values, none stands between those.
+int most_ticks(const Plot& plot) {
+  const double length = plot.x.high - plot.x.low;
+  const bool counts = std::all_of(plot.series.begin(), plot.series.end(), [](const auto& series) {
+    return std::all_of(series.points.begin(), series.points.end(),
+                       [](const auto& point) { return point.x() == std::round(point.x()); });
+  });
+  return counts && length < kMostTicks ? static_cast<int>(length) + 1 : kMostTicks;
+}
+
+/// With as many numbers as stand `gap` apart along `length` pixels, and no more than `most`. The
+/// last one may reach `beyond` the end.
 template <class SizeOf>
-std::vector<PlotTick> ticks_along(const PlotAxis& axis, double length, double beyond, double gap,
-                                  const SizeOf& size_of) {
-  constexpr int kMost = 12;
-  for (int most = kMost; most > 1; --most) {
+std::vector<PlotTick> ticks_along(const PlotAxis& axis, int most, double length, double beyond,
+                                  double gap, const SizeOf& size_of) {
+  for (; most > 1; --most) {
     std::vector<PlotTick> ticks = plot_ticks(axis, most);
     bool fits = true;
     double end = -1e9;
@@ -194,16 +205,16 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
   }
   const double top = names.empty() ? next.y() : next.y() + 0.75 * kTitleRow;
   const double bottom = area.max.y() - kTickRow - (plot.x.title.empty() ? 0.0 : kTitleRow);
-  const std::vector<PlotTick> y_ticks =
-      ticks_along(plot.y, bottom - top, 0.0, kTickRoom, [](const std::string&) { return 0.0; });
+  const std::vector<PlotTick> y_ticks = ticks_along(
+      plot.y, kMostTicks, bottom - top, 0.0, kTickRoom, [](const std::string&) { return 0.0; });
   double widest = 0.0;
   for (const PlotTick& tick : y_ticks)
     widest = std::max(widest, fonts.width(type::kText, tick.label));
   const Rect inner{{area.min.x() + widest + kNumberGap, top},
                    {area.max.x() - kHollow - kNumberGap, bottom}};
-  const std::vector<PlotTick> x_ticks =
-      ticks_along(plot.x, inner.size().x(), area.max.x() - inner.max.x(), kNumberGap,
-                  [&](const std::string& label) { return fonts.width(type::kText, label); });
+  const std::vector<PlotTick> x_ticks = ticks_along(
+      plot.x, most_ticks(plot), inner.size().x(), area.max.x() - inner.max.x(), kNumberGap,
+      [&](const std::string& label) { return fonts.width(type::kText, label); });
   const auto at = [&](double x, double y) {
     return Point(inner.min.x() + part(plot.x, x) * inner.size().x(),
                  inner.max.y() - part(plot.y, y) * inner.size().y());

@@ -183,7 +183,13 @@ std::vector<int> SimplexWords::order(gjk::Face face) const {
   for (int i = 0; i < simplex_.count; ++i) {
     if (gjk::contains(face, i)) out.push_back(i);
   }
-  if (cyclic_ && simplex_.count == 3 && face == 0b101) return {2, 0};
+  const auto of_y = [&](int i) { return simplex_.vertices[i].pair.y; };
+  if (run_.point_query() && run_.lesson.y().vertices.size() == 3) {
+    // The last edge of the triangle ABC is CA, as on the slides, whatever else is in the simplex.
+    std::sort(out.begin(), out.end(), [&](int a, int b) { return of_y(a) < of_y(b); });
+    if (out.size() == 2 && of_y(out[0]) == 0 && of_y(out[1]) == 2) std::swap(out[0], out[1]);
+    return out;
+  }
   if (cyclic_) return out;
   // A lesson that starts with the edge DC has reasons not to call it CD.
   const WideSimplex& initial = run_.runs.front().trace.initial.simplex;

@@ -653,7 +653,6 @@ class SiteWriter {
     Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
     std::string links;
     int chapter = 0;
-    const auto percent = [](double part, double whole) { return 100.0 * part / whole; };
     std::erase_if(picture.marks,
                   [](const Mark& mark) { return mark.role.starts_with("view-title"); });
     for (Mark& mark : picture.marks) {
@@ -663,12 +662,10 @@ class SiteWriter {
     for (const Rect& tile : tiles_of_map(picture)) {
       ++chapter;
       const auto title = chapters.find(chapter);
-      links += fmt::format(
-          "<a href=\"#chapter-{}\" aria-label=\"Chapter {}: {}\" style=\"left: {:.2f}%; top: "
-          "{:.2f}%; width: {:.2f}%; height: {:.2f}%\"></a>\n",
-          chapter, chapter, title == chapters.end() ? "" : escape_html(title->second),
-          percent(tile.min.x(), picture.width), percent(tile.min.y(), picture.height),
-          percent(tile.size().x(), picture.width), percent(tile.size().y(), picture.height));
+      links +=
+          fmt::format("<a href=\"#chapter-{}\" aria-label=\"Chapter {}: {}\" style=\"{}\"></a>\n",
+                      chapter, chapter, title == chapters.end() ? "" : escape_html(title->second),
+                      style_of_tile(tile, Point(picture.width, picture.height)));
     }
     return fmt::format("<nav class=\"map\" aria-label=\"Chapters\">{}\n{}</nav>\n",
                        images_of(picture, "map"), links);

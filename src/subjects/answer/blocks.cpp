@@ -50,15 +50,26 @@ void write_sum(PanelBuilder& panel, const Sum& sum, const NameOf& name_of,
   panel.y += kRow + 6.0;
 }
 
-void witness(PanelBuilder& panel) {
+/// Without the weights that give them.
+void closest_points(PanelBuilder& panel, const WideResult& result) {
+  panel.heading("The closest points");
+  const auto row = [&](const std::string& name, const Eigen::Vector3d& point) {
+    panel.write("code", panel.left, name, type::kCode);
+    panel.write("code", panel.right, panel.numbers.point(point), type::kCode, Align::right);
+    panel.y += kRow;
+  };
+  row("y", result.y);
+  row("x", result.x);
+  row("y − x = P", result.y - result.x);
+  panel.y += 6.0;
+}
+
+void sums(PanelBuilder& panel, WitnessPart reached) {
   const PositionedRun& positioned = panel.run.run(panel.frame);
   const WideResult& result = positioned.trace.result;
-  const bool gradual = witness_part(panel.run, panel.frame).has_value();
-  const WitnessPart reached = witness_part(panel.run, panel.frame).value_or(WitnessPart::distance);
   const auto sum = [&](std::string heading, std::string name, WitnessPart part,
                        const Eigen::Vector3d& value) {
-    return Sum{std::move(heading), std::move(name), reached >= part, gradual && reached == part,
-               value};
+    return Sum{std::move(heading), std::move(name), reached >= part, reached == part, value};
   };
   const Lesson& lesson = panel.run.lesson;
   write_sum(
@@ -81,6 +92,13 @@ void witness(PanelBuilder& panel) {
         return reached >= WitnessPart::on_x ? lesson.x().vertex_names[pair.x] : "?";
       },
       [&](const auto& vertex) { return positioned.x().world[vertex.pair.x]; });
+}
+
+void witness(PanelBuilder& panel) {
+  const std::optional<WitnessPart> part = witness_part(panel.run, panel.frame);
+  const WitnessPart reached = part.value_or(WitnessPart::distance);
+  const WideResult& result = panel.run.run(panel.frame).trace.result;
+  part ? sums(panel, *part) : closest_points(panel, result);
   panel.write("heading", panel.left, "|y − x| = |P|", type::kHeading);
   panel.write(reached >= WitnessPart::distance ? "code.current" : "untried", panel.right,
               reached >= WitnessPart::distance ? panel.numbers(result.distance) : "–",
@@ -100,7 +118,9 @@ void witness(PanelBuilder& panel) {
 
 const Block kWitness{
     .name = "witness",
-    .meaning = "the weights on the differences, on the vertices of Y and on those of X",
+    .meaning =
+        "the closest points; with granularity `witness` the weights on the differences, on "
+        "the vertices of Y and on those of X",
     .write = witness};
 
 namespace {

@@ -251,6 +251,13 @@ std::vector<Rect> tiles_of_map(const Picture& picture) {
   return tiles;
 }
 
+std::string style_of_tile(const Rect& tile, const Point& whole) {
+  const Point at = 100.0 * tile.min.cwiseQuotient(whole);
+  const Point size = 100.0 * tile.size().cwiseQuotient(whole);
+  return fmt::format("left: {:.2f}%; top: {:.2f}%; width: {:.2f}%; height: {:.2f}%", at.x(), at.y(),
+                     size.x(), size.y());
+}
+
 const SubjectParts subjects::course_map{
     .acts = {&maps_of_course::kAct},
     .legend = {{"map.uses", "makes use of"}},

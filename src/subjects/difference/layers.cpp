@@ -199,6 +199,11 @@ void origins_of_edges(SceneBuilder& scene) {
   const MinkowskiHull::Value& hull = scene.effects.get<MinkowskiHull>(scene.frame);
   const auto& x_names = scene.run.lesson.x().vertex_names;
   const auto& y_names = scene.run.lesson.y().vertex_names;
+  // As words name an edge: AC, though −X is walked along from C to A.
+  const auto edge = [](const std::vector<std::string>& names, int a, int b) {
+    return names[static_cast<std::size_t>(std::min(a, b))] +
+           names[static_cast<std::size_t>(std::max(a, b))];
+  };
   Vector2d middle = Vector2d::Zero();
   for (const CloudPoint& corner : hull) middle += corner.z / static_cast<double>(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -206,9 +211,9 @@ void origins_of_edges(SceneBuilder& scene) {
     const auto& [to, b] = hull[(i + 1) % hull.size()];
     // Edges of both that are parallel make one.
     if (a.y != b.y)
-      origin_of_edge(scene, from, to, middle, y_names[a.y] + y_names[b.y], false);
+      origin_of_edge(scene, from, to, middle, edge(y_names, a.y, b.y), false);
     else if (a.x != b.x)
-      origin_of_edge(scene, from, to, middle, x_names[a.x] + x_names[b.x], true);
+      origin_of_edge(scene, from, to, middle, edge(x_names, a.x, b.x), true);
   }
 }
 

@@ -77,14 +77,13 @@ void question(const Story& story, FrameText& text) {
   const NearestTwo two =
       nearest_two(in_plane(story.positioned.x().world), in_plane(story.positioned.y().world));
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
+  const auto both = [](const std::string& a, const std::string& b) { return a + " and " + b; };
   for (const std::string& y : lesson.y().vertex_names) {
-    for (const std::string& x : lesson.x().vertex_names)
-      asked.choices.push_back(fmt::format("{}−{}", y, x));
+    for (const std::string& x : lesson.x().vertex_names) asked.choices.push_back(both(y, x));
   }
   asked.pair = {{lesson.y().name, lesson.y().vertex_names},
                 {lesson.x().name, lesson.x().vertex_names}};
-  asked.answer =
-      fmt::format("{}−{}", lesson.y().vertex_names[two.y], lesson.x().vertex_names[two.x]);
+  asked.answer = both(lesson.y().vertex_names[two.y], lesson.x().vertex_names[two.x]);
   text.caption =
       fmt::format("Question: which vertex of {} and which of {} are nearest to each other?",
                   lesson.y().name, lesson.x().name);
@@ -110,8 +109,8 @@ void words(const Story& story, FrameText& text) {
       return;
     case Part::nearest:
       text.caption =
-          fmt::format("{} and {} are the nearest two vertices: {}.", lesson.x().vertex_names[two.x],
-                      lesson.y().vertex_names[two.y], story.numbers(two.distance));
+          fmt::format("{} and {} are the nearest two vertices: {}.", lesson.y().vertex_names[two.y],
+                      lesson.x().vertex_names[two.x], story.numbers(two.distance));
       text.detail = "But shapes are more than their vertices.";
       return;
     case Part::closest:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "picture/story.hpp"
+#include "subjects/run/refuting.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/space/region.hpp"
 #include "subjects/weights/barycentric.hpp"
@@ -175,16 +176,18 @@ void areas(const Story& story, FrameText& text) {
   if (count == 0) {
     text.caption = fmt::format("{} lies inside: all three areas are positive and together fill {}.",
                                story.q, whole);
-    text.detail =
-        fmt::format("u + v + w = {}. The areas are weights, too: uA + vB + wC = {}.", sum, story.q);
+    text.detail = fmt::format("u + v + w = {}.", sum);
+    if (!refutes(story.run, story.frame))
+      text.detail += fmt::format(" The areas are weights, too: uA + vB + wC = {}.", story.q);
     return;
   }
   text.caption = fmt::format("{} {} negative: {} lies beyond {}.", negatives,
                              count == 1 ? "is" : "are", story.q, edges);
-  text.detail = fmt::format("{} {} negative: {} {} larger than {} by exactly that much. Thus {}.",
-                            parts_of(story, coordinates, true), count == 1 ? "counts" : "count",
-                            parts_of(story, coordinates, false), count == 1 ? "together are" : "is",
-                            whole, sum);
+  text.detail =
+      fmt::format("{} {} negative: {} {} larger than {} by exactly that much.",
+                  parts_of(story, coordinates, true), count == 1 ? "counts" : "count",
+                  parts_of(story, coordinates, false), count == 1 ? "together are" : "is", whole);
+  if (!refutes(story.run, story.frame)) text.detail += fmt::format(" Thus {}.", sum);
 }
 
 /// A lesson that shows no weights is told by features: weights may be new to its reader.

@@ -9,6 +9,7 @@
 #include "subjects/run/subject.hpp"
 #include "subjects/second_run/second_run.hpp"
 #include "subjects/second_run/subject.hpp"
+#include "subjects/space/region.hpp"
 #include "subjects/support/slab.hpp"
 #include "subjects/weights/barycentric.hpp"
 #include "subjects/weights/projection.hpp"
@@ -157,8 +158,9 @@ void simplex(SceneBuilder& scene) {
     if (is_triangle && scene.map.is_of_space())
       draw_face(scene, corners_of(scene, simplex.all()), "simplex.fill");
     if (scene.shows_whole_simplex() && points.size() == 4) tetrahedron(scene);
-    // The triangle of a tetrahedron that holds P.
-    if (scene.map.is_of_space() && points.size() > 3 && gjk::vertex_count(face) == 3)
+    // The triangle of a tetrahedron that holds P. The query point lies beyond it.
+    if (scene.map.is_of_space() && points.size() > 3 && gjk::vertex_count(face) == 3 &&
+        !scene.shows(FacesBefore::kName))
       draw_face(scene, corners_of(scene, face), "simplex.face");
     for (int i = 0; i < simplex.count; ++i) {
       for (int j = i + 1; j < simplex.count; ++j) {

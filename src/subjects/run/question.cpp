@@ -7,6 +7,7 @@
 #include "outlines/polygon.hpp"
 #include "picture/story.hpp"
 #include "run/questions.hpp"
+#include "subjects/run/refuting.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::captions {
@@ -360,3 +361,16 @@ void closest_question(const Story& story, FrameText& text) {
 }
 
 }  // namespace gjkscope::captions
+
+namespace gjkscope {
+
+bool refutes(const LessonRun& run, const Frame& frame) {
+  return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
+    if (other.question < 0 || other.run != frame.run || other.answering_step != frame.step)
+      return false;
+    const std::string& ask = run.lesson.questions[static_cast<std::size_t>(other.question)].ask;
+    return ask == asks::kWhy.name || ask == asks::kWhatIf.name;
+  });
+}
+
+}  // namespace gjkscope

@@ -10,6 +10,7 @@
 #include "picture/story.hpp"
 #include "run/trail.hpp"
 #include "subjects/run/other_normal.hpp"
+#include "subjects/run/refuting.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/run/trail_words.hpp"
 #include "subjects/scalars/subject.hpp"
@@ -346,7 +347,7 @@ void stop(const Story& story, FrameText& text) {
                     "Stop: {} is already in the simplex, so no point of {} is closer to {}.",
                     support, convex_set(story), story.q);
       text.detail = outcome(story);
-      if (lower > 0.0) {
+      if (lower > 0.0 && !refutes(story.run, story.frame)) {
         text.detail +=
             fmt::format(" All of {} lies behind the dashed {}.", story.set_name(), story.plane());
       }
