@@ -475,9 +475,10 @@ TEST(Captions, TellWhichWayTheBeamTurnsAndByHowMuch) {
   EXPECT_EQ(caption(1, 1), "A's moment is larger, " + fixed(turning_a, 3) + " against " +
                                fixed(turning_b, 3) + ": A is down by 15.4°, on the ground.");
   EXPECT_EQ(caption(1, 3),
-            "On G = uA + vB the moments are equal, 0.800 × 0.200 = 0.200 × 0.800: the beam is "
-            "level again.");
-  EXPECT_TRUE(caption(2, 0).starts_with("Q has moved. On G = uA + vB the moments are equal"))
+            "With the support at G = uA + vB the moments are equal, 0.800 × 0.200 = 0.200 × 0.800: "
+            "the beam is level again.");
+  EXPECT_TRUE(caption(2, 0).starts_with(
+      "Q has moved. With the support at G = uA + vB the moments are equal"))
       << caption(2, 0);
   EXPECT_TRUE(caption(3, 0).ends_with("A stays empty, B gets 1.200.")) << caption(3, 0);
   EXPECT_TRUE(caption(3, 1).starts_with("The support has passed B")) << caption(3, 1);
@@ -663,7 +664,7 @@ TEST(Captions, NameTiesAreasOfZeroAndWhatTheSecondRunFinds) {
       return text.find(words) != std::string::npos;
     });
   };
-  EXPECT_TRUE(holds(texts_of_frame("collinear", 2), "BCD has area 0 and no weights"));
+  EXPECT_TRUE(holds(texts_of_frame("collinear", 2), "BCD has area 0 and no area fractions"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 6), "B, C and D lie equally far along d"));
   EXPECT_TRUE(holds(texts_of_frame("collinear", 6), "B is not in the simplex: it was dropped."));
   EXPECT_TRUE(holds(texts_of_frame("polygons-gjk", 24), "In X, D lies as far as C."));

@@ -92,7 +92,7 @@ TEST(RoundShapes, TheLastFrameSubtractsTheRadii) {
       "GJK's distance 0.500 is less than the radii 0.500 + 0.250: the round shapes overlap by "
       "0.250.");
   const std::string meet = last_words(lesson_with_y_moved_by({-3.0, 0.0}));
-  EXPECT_TRUE(meet.ends_with("The round shapes overlap by 0.750 more.")) << meet;
+  EXPECT_TRUE(meet.ends_with("The radii add 0.750 to the overlap.")) << meet;
   Lesson one = lesson_with_y_moved_by({0.0, 0.0});
   one.x().radius = 0.0;
   EXPECT_EQ(last_words(one),

@@ -60,9 +60,10 @@ void warm_start(const Story& story, FrameText& text) {
         "Start from {}, where the last run ended. P is still on that simplex: {} confirms it.",
         starts, count);
   } else if (result.iterations == 1) {
-    text.caption =
-        fmt::format("Start from {}, where the last run ended. The new P lies in it: {} finds it.",
-                    starts, count);
+    text.caption = fmt::format(
+        "Start from {}, where the last run ended. The new P lies in that simplex: {} finds "
+        "it.",
+        starts, count);
   } else {
     text.caption = fmt::format(
         "Start from {}, where the last run ended. P is no longer on that simplex; finding it takes "
@@ -233,7 +234,7 @@ void witness(const Story& story, FrameText& text) {
           fmt::format("y − x = {} − {} = {} = P, so |y − x| = |P| = {}.",
                       story.numbers.point(result.y), story.numbers.point(result.x),
                       story.numbers.point(result.y - result.x), story.numbers(result.distance));
-      text.detail = fmt::format("Closest: {}: the two letters of each difference say which.",
+      text.detail = fmt::format("Closest: {}, as the two letters of each difference say.",
                                 story.closest_features());
   }
 }

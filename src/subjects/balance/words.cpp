@@ -103,9 +103,10 @@ void balance(const Story& story, FrameText& text) {
     text.detail = fmt::format("The moments are now {} at {} and {} at {}; {}.", product(0), a,
                               product(1), b, tilts);
   } else if (rests) {
-    text.caption =
-        fmt::format("{}On G = uA + vB the moments are equal, {} = {}: the beam {}.", moved,
-                    product(0), product(1), equal ? "stays level" : "is level again");
+    text.caption = fmt::format(
+        "{}With the support at G = uA + vB the moments are equal, {} = {}: "
+        "the beam {}.",
+        moved, product(0), product(1), equal ? "stays level" : "is level again");
     text.detail =
         fmt::format("G is the balance point: v = {} of the way from {} to {}.", number(v), a, b);
   } else {

@@ -29,7 +29,8 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Point to triangle", "Chapter 2: which point of a triangle is closest to Q?",
      "Each edge is a segment, so chapter 1 is used three times. New: areas, and the inside."},
     {"Point to polygon", "Chapter 3: which point of a convex polygon is closest to Q? This is GJK.",
-     "A triangle inside the polygon stands in for it, and is changed until it holds the answer."},
+     "A triangle inside the polygon stands in for it. A loop changes the triangle until it holds "
+     "the answer."},
     {"Polygon to polygon", "Chapter 4: which points of two convex polygons are closest?",
      "The differences of their points form one polygon, and the origin O stands in for Q."},
     {"Minkowski sums", "Chapter 5: what else the difference of two shapes tells.",
@@ -95,20 +96,19 @@ void question(const Story& story, FrameText& text) {
   }
   asked.answer = asked.choices.back();
   text.caption = next == kOfGjk
-                     ? "Question: two polygons, any of their points. Which solved problem can this "
-                       "become?"
-                     : "Question: a polygon of 100 vertices. Which solved problem is of use, again "
-                       "and again?";
+                     ? "Question: the closest points of two polygons. Which solved problem can "
+                       "this become?"
+                     : "Question: picture 3 shows a polygon. Which solved problem is of use in it, "
+                       "again and again?";
 }
 
 void words(const Story& story, FrameText& text) {
   const int chapter = told(story.frame);
   if (chapter == 0) {
-    text.caption =
-        "A map of this course: each problem makes use of the one that its arrow points to.";
+    text.caption = "A map of this course: arrows will show which problem makes use of which.";
     text.detail =
         "Its goal is GJK, named after Gilbert, Johnson and Keerthi, who published it in 1988. It "
-        "follows Catto (2010) and Larsen (1998).";
+        "follows the slides of Catto (2010) and Larsen (1998).";
     return;
   }
   const Chapter& told = kCourse[static_cast<std::size_t>(chapter) - 1];

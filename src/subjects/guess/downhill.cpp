@@ -206,7 +206,8 @@ void words(const Story& story, FrameText& text) {
     text.caption = fmt::format("Walk in {} from {} to the point closest to {}, without a map.", y,
                                story.run.lesson.y().vertex_names.front(), story.q);
     text.detail = fmt::format(
-        "Straight towards {0} as far as {1} goes, then along the edge while {0} comes closer.",
+        "Go straight towards {0} as far as {1} reaches, then along the edge while the way to {0} "
+        "gets shorter.",
         story.q, y);
     return;
   }
@@ -229,9 +230,11 @@ void words(const Story& story, FrameText& text) {
                              story.q, was, now);
   if (on_hull) {
     text.detail =
-        "The convex hull is the smallest convex shape around the same points. It has no dent.";
+        "The convex hull is the smallest convex shape around the same points. It has no dent: here "
+        "the walk starts again.";
   } else if (ends) {
-    text.detail = fmt::format("On both sides {} is farther: the walk stops.", story.q);
+    text.detail =
+        fmt::format("Both ways along the edge lead away from {}: the walk stops.", story.q);
   } else {
     text.detail = fmt::format("Here {} ends. The walk goes on along its outline.", y);
   }

@@ -114,8 +114,8 @@ void words(const Story& story, FrameText& text) {
       text.caption =
           fmt::format("From each vertex the way to the other shape is {} or more.", distance);
       text.detail =
-          "Ways are drawn from the two nearest vertices of each shape. A guess is wrong by its "
-          "extra length.";
+          "Ways are drawn from the two nearest vertices of each shape. Whoever guesses a longer "
+          "way is wrong by its extra length.";
       return;
     case Part::slab:
       text.caption = fmt::format(

@@ -82,7 +82,8 @@ void maps(const Story& story, FrameText& text) {
       text.caption = fmt::format("The half-planes overlap: beyond {}, v and w are both negative.",
                                  story.words.vertex(0));
       text.detail =
-          "Three lines make seven parts again, one for each feature, but with other borders.";
+          "Three lines make seven parts again. One is inside; each other one stands for the edge "
+          "or vertex that it touches.";
       return;
     case MapStage::asked:  // has the words of its question
     case MapStage::blended:

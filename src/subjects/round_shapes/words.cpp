@@ -17,8 +17,7 @@ void round_shapes(const Story& story, FrameText& text) {
           ? fmt::format("the radii {} + {}", story.numbers(x.radius), story.numbers(y.radius))
           : fmt::format("the radius {}", story.numbers(round->radii));
   if (!(distance > 0.0)) {
-    text.detail +=
-        fmt::format(" The round shapes overlap by {} more.", story.numbers(round->radii));
+    text.detail += fmt::format(" The radii add {} to the overlap.", story.numbers(round->radii));
     return;
   }
   const std::string answer = fmt::format("GJK's distance {}", story.numbers(distance));

@@ -103,8 +103,8 @@ std::string region_reason(const Story& story) {
     if (term.wants_positive) continue;
     if (term.denominator == 0.0) {
       return fmt::format(
-          "{} lies in the region of {}: {} has area 0 and no weights, so no point lies inside. {} "
-          "projects onto {}.",
+          "{} lies in the region of {}: {} has area 0 and no area fractions, so no point lies "
+          "inside. {} projects onto {}.",
           story.q, story.edge_name(face), story.words.face(simplex.all()), story.q,
           story.edge_name(face));
     }
@@ -222,8 +222,8 @@ void features(const Story& story, FrameText& text) {
           "{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
           story.q, name);
       text.detail = fmt::format(
-          "Every other point of {} is farther, and every way inside crosses them. Thus P = {}, at "
-          "distance {}.",
+          "Every other point of {} is farther, and every way inside crosses one of them. Thus P = "
+          "{}, at distance {}.",
           edges_at(story, face), name, story.distance());
       break;
     case 2: {

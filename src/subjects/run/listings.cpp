@@ -120,7 +120,7 @@ Lines gjk_lines(const LessonRun& run) {
   Lines lines = {
       {"S ← initial simplex"},
       {"loop"},
-      {point ? fmt::format("  P ← closest point to {} on S", q) : "  P ← closest point on S",
+      {point ? fmt::format("  P ← closest to {} on S", q) : "  P ← closest point on S",
        Phase::closest},
       {"  drop vertices without weight", Phase::drop},
       {fmt::format("  if {} in S{}: stop", q, progress ? " or P no closer" : ""),

@@ -451,7 +451,7 @@ void trail(const Story& story, FrameText& text) {
   const std::string low = number(lower);
   const std::string high = number(upper);
   text.detail += low == high
-                     ? fmt::format(" The distance is proved: {}.", low)
+                     ? fmt::format(" The distance is at most and at least {}: it is proved.", low)
                      : fmt::format(" The distance is proved to lie between {} and {}.", low, high);
   const int shown = static_cast<int>(kMostInTrail);
   if (iterations > shown)
