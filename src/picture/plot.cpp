@@ -273,7 +273,8 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
         if (has_corner) line.points.emplace_back(point.x(), line.points.back().y());
         line.points.push_back(point);
       }
-      if (!series->has_symbols) continue;
+      const bool is_alone = series->points.size() == 1;  // a line through it has no length
+      if (!series->has_symbols && !is_alone) continue;
       if (series->style != PlotStyle::other) obstacles.circles.push_back({point, kHollow});
       const Subject subject = series->subjects.empty() ? Subject{} : series->subjects[i];
       symbols.push_back({role_of(series->style), symbol(series->style, point), -1, subject});

@@ -180,7 +180,9 @@ void ruler(PanelBuilder& panel, int from, int to) {
     panel.add("weight.axis",
               Polyline{{{at(end), panel.y - 2.0 * kHalf}, {at(end), panel.y + 2.0 * kHalf}}});
   }
-  panel.add("closest", Disk{{at(share), panel.y}, 4.5});
+  const Point foot(at(share), panel.y);
+  const Point half = Point::Constant(kHalf + 1.0);
+  panel.add("projection.point", Box{{foot - half, foot + half}});
   panel.y += 24.0;
   panel.write("body.muted", at(0.0), a, type::kTick, Align::center);
   panel.write("body.muted", at(1.0), b, type::kTick, Align::center);
