@@ -117,9 +117,10 @@ template <class R, class N>
 
 }  // namespace detail
 
-/// Where R rounds, and for Expansion, the largest coordinate of n lies between 1 and 2, each errs
-/// by less than 2 u times the length of n, and distance_sq by less than 12 u of itself, or is
-/// exactly 0. (u is that of long double for Expansion.) Where abc has no area n = 0.
+/// The plane with all digits. Where R rounds, and for Expansion, the largest coordinate of n lies
+/// between 1 and 2, each errs by less than 2 u times the length of n, and distance_sq by less than
+/// 12 u of itself, or is exactly 0. (u is that of long double for Expansion.) Where abc has no area
+/// n = 0.
 template <class R>
 [[nodiscard]] Plane<R> careful_plane(const Triangle<R>& t) {
   if constexpr (!kPlaneRounds<R>) {

@@ -82,7 +82,7 @@ class TellingOf {
                                      x(), y(), number(upper));
   }
 
-  /// What the phase that is over has done. `own`: this, with the words that differ.
+  /// Tells the phase that is over. `own`: this, with the words that differ.
   void phase(auto& own) {
     switch (shown_.step->phase) {
       case Phase::nearest:
