@@ -66,7 +66,9 @@ std::vector<std::optional<Spot>> spots_of(const LessonRun& run, const Frame& fra
 bool is_answered_in_drawing(const FrameQuestion& question) {
   return question.ask == asks::kRegion.name || question.place || !question.pair.empty() ||
          std::count_if(question.spots.begin(), question.spots.end(),
-                       [](const auto& spot) { return spot.has_value(); }) > 1;
+                       [](const auto& spot) { return spot.has_value(); }) > 1 ||
+         std::count_if(question.subjects.begin(), question.subjects.end(),
+                       [](const Subject& each) { return each.kind != Subject::Kind::none; }) > 1;
 }
 
 }  // namespace gjkscope

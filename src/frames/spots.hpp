@@ -11,7 +11,8 @@ namespace gjkscope {
 [[nodiscard]] std::vector<std::optional<Spot>> spots_of(const LessonRun& run, const Frame& frame,
                                                         const std::vector<std::string>& choices);
 
-/// The question can be answered in the drawing: by a vertex, an edge, a region or a place.
+/// The question can be answered in the drawing: by a vertex, an edge, a region, a place
+/// or a mark.
 [[nodiscard]] bool is_answered_in_drawing(const FrameQuestion& question);
 
 }  // namespace gjkscope

@@ -165,7 +165,7 @@ class Cutter {
       const std::size_t n = ring.size();
       i %= n;
       const std::array ear = {ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]};
-      if (!is_ear(ear, ring)) {
+      if (!is_ear(out_.points, ear, ring)) {
         ++i;
         ++tried;
         continue;
@@ -176,19 +176,6 @@ class Cutter {
     }
     if (ring.size() == 3) out_.triangles.push_back({ring[0], ring[1], ring[2]});
   }
-  [[nodiscard]] bool is_ear(const std::array<int, 3>& ear, const Corners& ring) const {
-    if (turn_at(ear[0], ear[1], ear[2]) <= 0) return false;
-    const Point low = at(ear[0]).cwiseMin(at(ear[1])).cwiseMin(at(ear[2]));
-    const Point high = at(ear[0]).cwiseMax(at(ear[1])).cwiseMax(at(ear[2]));
-    return std::none_of(ring.begin(), ring.end(), [&](int corner) {
-      const Point& p = at(corner);
-      if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) return false;
-      if (p == at(ear[0]) || p == at(ear[1]) || p == at(ear[2])) return false;
-      return turn(at(ear[0]), at(ear[1]), p) >= 0 && turn(at(ear[1]), at(ear[2]), p) >= 0 &&
-             turn(at(ear[2]), at(ear[0]), p) >= 0;
-    });
-  }
-
   /// Half-edges of the triangles: 3 t + k runs from corner k of triangle t to the next.
   void merge() {
     const std::size_t count = 3 * out_.triangles.size();
@@ -291,6 +278,22 @@ std::vector<Shape> shapes_of(const Model& model, const Pieces& pieces) {
 }
 
 }  // namespace
+
+bool is_ear(const std::vector<Point>& points, const std::array<int, 3>& ear,
+            const std::vector<int>& ring) {
+  const Point& a = points[ear[0]];
+  const Point& b = points[ear[1]];
+  const Point& c = points[ear[2]];
+  if (turn(a, b, c) <= 0) return false;
+  const Point low = a.cwiseMin(b).cwiseMin(c);
+  const Point high = a.cwiseMax(b).cwiseMax(c);
+  return std::none_of(ring.begin(), ring.end(), [&](int corner) {
+    const Point& p = points[corner];
+    if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) return false;
+    if (p == a || p == b || p == c) return false;
+    return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+  });
+}
 
 Pieces pieces_of(const Model& model) { return Cutter(model).cut(); }
 

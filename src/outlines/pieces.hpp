@@ -33,6 +33,11 @@ struct Pieces {
 /// For a model whose outlines check(Needs::simple) takes. O(n^2).
 [[nodiscard]] Pieces pieces_of(const Model& model);
 
+/// Whether the middle of three corners in a row of a ring can be cut off: it turns out, and no
+/// other corner lies in their triangle. Corners count within `points`. Exact.
+[[nodiscard]] bool is_ear(const std::vector<Point>& points, const std::array<int, 3>& ear,
+                          const std::vector<int>& ring);
+
 /// A pair of pieces: run through GJK, or skipped because its boxes are farther apart than the least
 /// distance by then.
 struct PieceRun {

@@ -198,6 +198,7 @@ std::string subject_name(const Subject& subject) {
     case Kind::study_dot:
       return fmt::format("dot {}", subject.x);
     case Kind::tree_node:
+      if (subject.x >= 0 && subject.y >= 0) return fmt::format("pair {} {}", subject.x, subject.y);
       return subject.x >= 0 ? fmt::format("node x {}", subject.x)
                             : fmt::format("node y {}", subject.y);
   }

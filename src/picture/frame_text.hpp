@@ -9,6 +9,7 @@
 
 #include "lesson/lesson.hpp"
 #include "lesson/plane.hpp"
+#include "picture/picture.hpp"
 
 namespace gjkscope {
 
@@ -38,6 +39,8 @@ struct FrameQuestion {
   /// The two to choose, in their order, if a choice is a pair, "K−A".
   std::vector<VertexChoice> pair = {};
   std::vector<std::optional<Spot>> spots = {};  ///< For the choices, in order; or empty.
+  /// Of the marks to point at for the choices, in order, none where there is no mark; or empty.
+  std::vector<Subject> subjects = {};
   /// The place that is asked for, if it is one: an answer says how far off it is.
   std::optional<Eigen::Vector2d> place = {};
   /// If a direction is asked for: it leads from here to `place`.

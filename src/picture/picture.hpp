@@ -94,8 +94,8 @@ struct Subject {
     region,             ///< Voronoi region of the face with the bits `x`.
     frame,              ///< `x` is its index.
     phase,              ///< `x` is its number: LessonRun::phases.
-    study_dot,          ///< `x` is its index in its family.
-    tree_node           ///< `x` is its index in the tree of X, or `y` in that of Y.
+    study_dot,          ///< `x` is its index in its family, or among the choices of a question.
+    tree_node           ///< `x` is its index in the tree of X, or `y` in that of Y; both: a pair.
   };
   Kind kind = Kind::none;
   int x = -1;

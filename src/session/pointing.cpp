@@ -148,6 +148,32 @@ std::string face_choice_at(Session& session, const LessonPictures::ShownView& sh
   return {};
 }
 
+/// The choice whose mark, a point or an area, lies under a place of the page: of several the one
+/// whose middle is nearest.
+std::string marked_choice(Session& session, const FrameQuestion& question, const Point& page) {
+  const Picture& picture = session.picture();
+  std::string chosen;
+  double nearest = HUGE_VAL;
+  for (const Mark& mark : picture.marks) {
+    const auto found = std::find(question.subjects.begin(), question.subjects.end(), mark.subject);
+    if (mark.subject.kind == Kind::none || found == question.subjects.end()) continue;
+    if (mark.clip >= 0 && !is_in(picture.clips[static_cast<std::size_t>(mark.clip)], page))
+      continue;
+    const std::optional<MarkPlace> place = place_of(mark);
+    if (!place) continue;
+    const double away = (page - place->middle).norm();
+    bool is_on = away <= kReach || is_inside(place->corners, page);
+    for (std::size_t i = 0; i < place->corners.size(); ++i) {
+      const Point& next = place->corners[(i + 1) % place->corners.size()];
+      is_on = is_on || segment_distance(page, place->corners[i], next) <= kReach;
+    }
+    if (!is_on || away >= nearest) continue;
+    nearest = away;
+    chosen = question.choices[static_cast<std::size_t>(found - question.subjects.begin())];
+  }
+  return chosen;
+}
+
 /// The choice whose direction is nearest to that of a place in the view.
 std::string nearest_direction(const FrameQuestion& question, const Vector2d& place) {
   double most = -HUGE_VAL;
@@ -169,6 +195,18 @@ std::optional<Point> origin_on_page(const Session& session) {
   for (const LessonPictures::ShownView& shown : session.views()) {
     if (shown.kind == question->spots.front()->view)
       return StageMap(shown.card, shown.camera)(*question->origin);
+  }
+  return std::nullopt;
+}
+
+std::optional<MarkPlace> place_of(const Mark& mark) {
+  if (const Disk* disk = std::get_if<Disk>(&mark.shape)) return MarkPlace{disk->center, {}};
+  if (const Polygon* polygon = std::get_if<Polygon>(&mark.shape)) {
+    const Point middle = centroid(polygon->points);
+    const bool is_point =
+        std::all_of(polygon->points.begin(), polygon->points.end(),
+                    [&](const Point& corner) { return (corner - middle).norm() <= 2.0 * kReach; });
+    return MarkPlace{middle, is_point ? std::vector<Point>() : polygon->points};
   }
   return std::nullopt;
 }
@@ -209,6 +247,8 @@ std::optional<PointedChoice> pointed_choice(Session& session, const Hand& hand,
     return std::nullopt;
   }
   if (!spot.empty()) return with_place(spot);
+  if (std::string marked = marked_choice(session, *question, page); !marked.empty())
+    return PointedChoice{std::move(marked)};
   if (std::string face = face_choice_at(session, shown, page); !face.empty())
     return PointedChoice{std::move(face)};
   if (question->pair.empty() || !is_vertex(subject)) return std::nullopt;

@@ -24,12 +24,12 @@ class Verdict {
       : picture_(picture), run_(run), views_(views), asked_(asked) {}
 
   void mark(const std::string& choice, const std::string& role, bool strikes) {
+    if (const Subject subject = subject_of(choice); subject.kind != Subject::Kind::none)
+      return marks_of(subject, role, strikes);
     const std::optional<Place> place = place_of(choice);
     if (!place) return;
     if (place->from != place->to) return add(role, Polyline{{place->from, place->to}});
-    add(role, Disk{place->from, kRing});
-    const Point reach = Point::Constant(0.7 * kRing);
-    if (strikes) add(role, Polyline{{place->from - reach, place->from + reach}});
+    ring(place->from, role, strikes);
   }
 
   /// Two directions from a point of the view that is asked about, equally long.
@@ -57,9 +57,32 @@ class Verdict {
   }
 
  private:
-  [[nodiscard]] std::optional<Place> place_of(const std::string& choice) const {
+  [[nodiscard]] std::size_t index_of(const std::string& choice) const {
     const auto found = std::find(asked_.choices.begin(), asked_.choices.end(), choice);
-    const auto at = static_cast<std::size_t>(found - asked_.choices.begin());
+    return static_cast<std::size_t>(found - asked_.choices.begin());
+  }
+  [[nodiscard]] Subject subject_of(const std::string& choice) const {
+    const std::size_t at = index_of(choice);
+    return at < asked_.subjects.size() ? asked_.subjects[at] : Subject{};
+  }
+  /// All of its marks, as a node and its volume.
+  void marks_of(const Subject& subject, const std::string& role, bool strikes) {
+    const std::vector<Mark> marks = picture_.marks;
+    for (const Mark& mark : marks) {
+      const std::optional<MarkPlace> place = gjkscope::place_of(mark);
+      if (mark.subject != subject || !place) continue;
+      if (place->corners.empty()) ring(place->middle, role, strikes);
+      if (!place->corners.empty())
+        picture_.marks.push_back({role, Polyline{place->corners, true}, mark.clip, {}});
+    }
+  }
+  void ring(const Point& middle, const std::string& role, bool strikes) {
+    add(role, Disk{middle, kRing});
+    const Point reach = Point::Constant(0.7 * kRing);
+    if (strikes) add(role, Polyline{{middle - reach, middle + reach}});
+  }
+  [[nodiscard]] std::optional<Place> place_of(const std::string& choice) const {
+    const std::size_t at = index_of(choice);
     if (at < asked_.spots.size() && asked_.spots[at]) {
       const Spot& spot = *asked_.spots[at];
       const auto view = std::find_if(views_.begin(), views_.end(),

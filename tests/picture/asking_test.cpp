@@ -107,27 +107,6 @@ TEST(AllQuestions, AreNotAnsweredByTheWordsOfTheirFrames) {
   EXPECT_GT(questions, 150);
 }
 
-/// Lessons that ask too little, and why.
-const std::map<std::string, std::string> kAskLess = {
-    {"penetration-touching", "in one iteration alone are edges not equally near"},
-    {"hierarchy-orders", "its frames compare two searches, and ask nothing yet"},
-};
-/// Lessons that ask nothing that is answered in the drawing, and why.
-const std::map<std::string, std::string> kAskOutsideTheDrawing = {
-    {"triangle-interior", "all tests fail: what is left has no other choice"},
-    {"numerics-map", "asks for the stop test only"},
-    {"minkowski-sum", "edges of -X, one of the choices, are not drawn by themselves"},
-    {"convex-pieces", "asks whether a diagonal goes or stays, whether a pair is run or skipped"},
-    {"hierarchy-collide", "asks whether to cut; nodes cannot be chosen yet"},
-    {"hierarchy-distance", "the same"},
-    {"hierarchy-circles", "the same"},
-    {"hierarchy-large", "the same"},
-    {"hierarchy-orders", "asks nothing yet"},
-    {"sphere-tree", "asks whether to cut, and whether a pair is in the table"},
-    {"methods-motion", "asks for counts"},
-    {"general-growth", "asks for counts"},
-};
-
 TEST(AllQuestions, AreTwoOfEachLessonAndOneOfThemIsAnsweredInTheDrawing) {
   for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     if (lesson.chapter == 6 || lesson.chapter > 7) continue;
@@ -140,9 +119,8 @@ TEST(AllQuestions, AreTwoOfEachLessonAndOneOfThemIsAnsweredInTheDrawing) {
       ++questions;
       in_drawing += is_answered_in_drawing(*text.question) ? 1 : 0;
     }
-    EXPECT_EQ(questions < 2, kAskLess.contains(lesson.id)) << lesson.id << ": " << questions;
-    EXPECT_EQ(in_drawing == 0, kAskOutsideTheDrawing.contains(lesson.id))
-        << lesson.id << ": " << in_drawing << " of " << questions;
+    EXPECT_GE(questions, 2) << lesson.id;
+    EXPECT_GE(in_drawing, 1) << lesson.id << ": of " << questions;
   }
 }
 

@@ -1,6 +1,7 @@
 // Frames of the search over two trees, and of all methods side by side: what they say is what the
 // trace found, and the trace is right.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -126,13 +127,77 @@ TEST(SearchFrames, AskOnlyWhatAVisitAnswers) {
     EXPECT_EQ(texts.front().phase, "start");
     EXPECT_EQ(texts.back().phase, "answer");
     for (std::size_t i = 0; i < texts.size(); ++i) {
-      if (!texts[i].question) continue;
+      if (!texts[i].question ||
+          (texts[i].question->ask != "descend" && texts[i].question->ask != "win"))
+        continue;
       ++asked;
       const bool is_cut = texts[i + 1].caption.ends_with("cut.");
       EXPECT_EQ(texts[i].question->answer.ends_with("cut"), is_cut) << texts[i + 1].caption;
     }
   }
-  EXPECT_EQ(asked, 8);
+  EXPECT_EQ(asked, 7);
+}
+
+/// What the search says of both halves when it visits them, however long after the question.
+TEST(SearchFrames, AskAboutHalvesWhatTheirVisitsSay) {
+  std::set<std::string> answers;
+  for (const std::string& id : kLessons) {
+    SCOPED_TRACE(id);
+    Lesson lesson = testing::shipped_lesson(id);
+    if (id == "hierarchy-orders") continue;
+    lesson.questions = {{"half", {}}};
+    const LessonRun run = run_lesson(lesson);
+    EffectGraph effects(run);
+    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    int asked = 0;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (!texts[i].question) continue;
+      ++asked;
+      const Shown shown(run, run.frames[i]);
+      const bool of_x = !shown.step->record.takes_b_apart;
+      std::vector<int> visited;
+      std::vector<int> cut;
+      const int visit = static_cast<int>(shown.state.visits) - 1;
+      for (const models::SearchStep& step : shown.search.trace.steps) {
+        if (step.phase != models::SearchPhase::bound || step.after.pair.from != visit) continue;
+        visited.push_back(of_x ? step.after.pair.a : step.after.pair.b);
+        if (step.record.cut) cut.push_back(visited.back());
+      }
+      const auto side = [&](int node) {
+        return fmt::format("{} half of {}", node == shown.node(of_x).left ? "left" : "right",
+                           of_x ? "a" : "b");
+      };
+      const std::string expected = shown.is_distance() ? side(visited.front())
+                                   : cut.empty()       ? "neither"
+                                   : cut.size() == 2   ? "both"
+                                                       : side(cut.front());
+      EXPECT_EQ(texts[i].question->answer, expected) << texts[i].caption;
+      answers.insert(expected);
+      EXPECT_TRUE(texts[i + 1].detail.ends_with(texts[i].question->refuted));
+    }
+    EXPECT_GT(asked, 3);
+  }
+  EXPECT_GE(answers.size(), 5u);
+}
+
+TEST(SearchFrames, ThePairThatComesNextIsThatOfTheNextVisit) {
+  Lesson lesson = testing::shipped_lesson("hierarchy-orders");
+  lesson.questions = {{"next-pair", {}}};
+  const LessonRun run = run_lesson(lesson);
+  EffectGraph effects(run);
+  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  int asked = 0;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!texts[i].question) continue;
+    ++asked;
+    const FrameQuestion& question = *texts[i].question;
+    const models::NodePair& next = Shown(run, run.frames[i + 1]).state.pair;
+    const auto at = std::find(question.choices.begin(), question.choices.end(), question.answer);
+    EXPECT_EQ(question.subjects[static_cast<std::size_t>(at - question.choices.begin())],
+              (Subject{Subject::Kind::tree_node, next.a, next.b}));
+    EXPECT_GT(question.choices.size(), 1u);
+  }
+  EXPECT_GT(asked, 10);
 }
 
 TEST(SearchFrames, AShapeWithoutSegmentsIsRefused) {

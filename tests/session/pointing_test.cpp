@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numbers>
 
 #include "fonts.hpp"
@@ -194,6 +196,47 @@ TEST_F(Pointing, APlaceIsTakenAlong) {
   ASSERT_TRUE(found && found->place);
   EXPECT_EQ(found->choice, session.question()->answer);
   EXPECT_LT((*found->place - *place).norm(), 1e-9);
+}
+
+/// Each choice that has a mark is chosen at each place where a mark of its own lies: a node in the
+/// tree and the middle of its volume in the world, a pair that waits, a place in a plot.
+TEST_F(Pointing, AMarkIsWhereItIsDrawn) {
+  const std::vector<std::pair<std::string, std::string>> asked = {
+      {"hierarchy-collide", "half"},     {"hierarchy-distance", "half"},
+      {"hierarchy-large", "half"},       {"sphere-tree", "half"},
+      {"hierarchy-orders", "next-pair"}, {"general-growth", "visits"}};
+  for (const auto& [lesson, ask] : asked) {
+    open(lesson, ask);
+    const FrameQuestion question = *session.question();
+    for (std::size_t i = 0; i < question.subjects.size(); ++i) {
+      if (question.subjects[i].kind == Subject::Kind::none) continue;
+      int marks = 0;
+      const std::vector<Mark> drawn = session.picture().marks;
+      for (const Mark& mark : drawn) {
+        const std::optional<MarkPlace> place = place_of(mark);
+        if (mark.subject != question.subjects[i] || !place) continue;
+        EXPECT_EQ(chosen_at(place->middle), question.choices[i]) << lesson;
+        ++marks;
+      }
+      EXPECT_GE(marks, ask == "half" ? 2 : 1) << lesson << ": " << question.choices[i];
+    }
+    EXPECT_EQ(chosen_at(session.views()[0].card.min + Point(3.0, 3.0)), "") << lesson;
+  }
+}
+
+/// A ring at the node and the outline of the volume, for both halves; a stroke for the wrong one.
+TEST_F(Pointing, AnAnswerAboutANodeIsDrawnAtItAndAtItsVolume) {
+  open("hierarchy-collide", "half");
+  const FrameQuestion asked = *session.question();
+  session.grade(asked.choices[asked.answer == asked.choices[0] ? 1 : 0]);
+  std::map<std::string, std::array<int, 3>> drawn;  // rings, outlines, strokes
+  for (const Mark& mark : session.picture().marks) {
+    if (!mark.role.starts_with("verdict.")) continue;
+    const Polyline* line = std::get_if<Polyline>(&mark.shape);
+    ++drawn[mark.role][line == nullptr ? 0 : line->closed ? 1 : 2];
+  }
+  EXPECT_EQ(drawn["verdict.right"], (std::array{1, 1, 0}));
+  EXPECT_EQ(drawn["verdict.wrong"], (std::array{1, 1, 1}));
 }
 
 TEST_F(Pointing, BesideEverythingThereIsNoChoice) {

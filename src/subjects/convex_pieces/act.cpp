@@ -24,6 +24,24 @@ const models::PieceRun* Shown::least(int pairs) const {
   return found;
 }
 
+std::vector<int> Shown::tip_and_no_ears(const PiecesStep& at) const {
+  const models::Pieces& pieces = told.of(at.of_x);
+  std::vector<int> left;
+  for (int i = 0; i < static_cast<int>(pieces.points.size()); ++i) left.push_back(i);
+  const auto tip = [&](int triangle) {
+    return pieces.triangles[static_cast<std::size_t>(triangle)][1];
+  };
+  for (int i = 0; i < at.index; ++i) std::erase(left, tip(i));
+  std::vector<int> out;
+  const std::size_t count = left.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::array ear = {left[(i + count - 1) % count], left[i], left[(i + 1) % count]};
+    if (left[i] == tip(at.index) || !models::is_ear(pieces.points, ear, left))
+      out.push_back(left[i]);
+  }
+  return out;
+}
+
 std::string Shown::piece(bool of_x, int index) const {
   const models::Pieces& pieces = told.of(of_x);
   if (pieces.pieces.size() == 1) return shape(of_x).name;
@@ -34,13 +52,19 @@ std::string Shown::piece(bool of_x, int index) const {
 
 namespace {
 
-constexpr std::array kAsks = {kAskDiagonal, kAskPair};
+constexpr std::array kAsks = {kAskDiagonal, kAskPair, kAskEar};
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
-  const PiecesPhase phase = question.ask == kAskPair.name ? PiecesPhase::pair : PiecesPhase::merge;
+  const PiecesPhase phase = question.ask == kAskPair.name  ? PiecesPhase::pair
+                            : question.ask == kAskEar.name ? PiecesPhase::triangle
+                                                           : PiecesPhase::merge;
   if (!shown.is(phase)) return -1;
+  // With holes outlines are cut along bridges, too: there corners do not say what is cut off.
+  if (phase == PiecesPhase::triangle && (!shown.told.of(shown.step->of_x).bridges.empty() ||
+                                         shown.tip_and_no_ears(*shown.step).size() < 2))
+    return -1;
   if (question.at && *question.at != shown.over(phase)) return -1;
   return frame.step;
 }

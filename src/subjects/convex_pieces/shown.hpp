@@ -9,6 +9,7 @@
 namespace gjkscope::parts {
 
 inline constexpr AskInfo kAskDiagonal{"diagonal", "whether a diagonal can be taken away", "of"};
+inline constexpr AskInfo kAskEar{"ear", "which corner can be cut off as an ear", "of"};
 inline constexpr AskInfo kAskPair{"piece-pair", "whether a pair of pieces is run or skipped", "of"};
 
 /// The part of the work that a frame shows.
@@ -39,6 +40,9 @@ struct Shown {
   /// The same of the first `pairs`.
   [[nodiscard]] const models::PieceRun* least(int pairs) const;
   [[nodiscard]] const LessonShape& shape(bool of_x) const { return of_x ? lesson.x() : lesson.y(); }
+  /// Corners of a shape that are left at a step that cuts off a triangle: its tip, and those at
+  /// which no ear is, in the order of the outline.
+  [[nodiscard]] std::vector<int> tip_and_no_ears(const PiecesStep& at) const;
   /// "piece ABCD of X", or the shape itself where it is one piece.
   [[nodiscard]] std::string piece(bool of_x, int index) const;
 };

@@ -62,6 +62,20 @@ void pair(const Story& story, const Shown& shown, FrameText& text) {
   }
 }
 
+void ask_for_an_ear(const Shown& shown, const PiecesStep& step, FrameText& text) {
+  const LessonShape& shape = shown.shape(step.of_x);
+  const auto name = [&](int corner) {
+    return shape.vertex_names[static_cast<std::size_t>(corner)];
+  };
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEar.name), {}, {}});
+  for (const int corner : shown.tip_and_no_ears(step)) asked.choices.push_back(name(corner));
+  asked.answer = name(shown.told.of(step.of_x).triangles[static_cast<std::size_t>(step.index)][1]);
+  asked.refuted = "At the others what is left turns in, or another corner lies in the triangle.";
+  text.caption = fmt::format(
+      "Question: at which of these corners is an ear of {}, to be cut off next? Point at it.",
+      shape.name);
+}
+
 }  // namespace
 
 void words(const Story& story, FrameText& text) {
@@ -96,6 +110,7 @@ void words(const Story& story, FrameText& text) {
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
   const PiecesStep& step = shown.told.told[static_cast<std::size_t>(story.frame.answering_step)];
+  if (step.phase == PiecesPhase::triangle) return ask_for_an_ear(shown, step, text);
   if (step.phase == PiecesPhase::merge) {
     const models::Merge& merge =
         shown.told.of(step.of_x).merges[static_cast<std::size_t>(step.index)];

@@ -81,6 +81,26 @@ Plot times_plot(const Shown& shown) {
   return plot;
 }
 
+/// The places that a question about a size chooses from; the frame that tells keeps them.
+void add_choices(Plot& plot, const Lesson& lesson, const Shown& shown, bool is_asked) {
+  const std::size_t size = shown.size() + (is_asked ? 1 : 0);
+  const bool is_told = std::any_of(
+      lesson.questions.begin(), lesson.questions.end(), [&](const LessonQuestion& question) {
+        const int number = static_cast<int>(size) + 1;
+        return question.ask == kAskVisits.name && question.at.value_or(number) == number;
+      });
+  if (!shown.is(GrowthPhase::size) || size == 0 || !(is_asked || is_told)) return;
+  const Sample& before = shown.told.samples[size - 1];
+  const Sample& sample = shown.told.samples[size];
+  PlotSeries places{PlotStyle::other, "", {}, PlotJoin::none};
+  for (const Growing& way : ways_to_grow(before, sample)) {
+    places.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(places.points.size())});
+    places.points.emplace_back(sample.segments, before.boxes * way.ratio);
+    plot.notes.push_back({PlotStyle::other, places.points.back(), way.name});
+  }
+  plot.series.push_back(std::move(places));
+}
+
 Plot visits_plot(const Shown& shown) {
   Plot plot = against_segments(shown, shown.told.samples.back().pairs(), "pairs visited");
   PlotSeries all{PlotStyle::limit, "all n · n pairs", {}, PlotJoin::lines, false};
@@ -101,7 +121,13 @@ Plot visits_plot(const Shown& shown) {
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
   const Shown& shown = shown_in<Shown>(scene);
   if (scene.view.kind == ViewKind::plot) {
-    layers::add_plot(scene, shown.plots_times() ? times_plot(shown) : visits_plot(shown), fonts);
+    Plot plot = shown.plots_times() ? times_plot(shown) : visits_plot(shown);
+    const int question = scene.frame.question;
+    add_choices(
+        plot, scene.run.lesson, shown,
+        question >= 0 &&
+            scene.run.lesson.questions[static_cast<std::size_t>(question)].ask == kAskVisits.name);
+    layers::add_plot(scene, plot, fonts);
   } else {
     example(scene, shown);
   }

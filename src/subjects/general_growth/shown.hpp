@@ -1,6 +1,8 @@
 #pragma once
 // Costs of general models in pictures: what a frame shows of them, and what its act draws and says.
 
+#include <array>
+
 #include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "run/algorithm_facts.hpp"
@@ -12,6 +14,15 @@ inline constexpr AskInfo kAskVisits{
     "visits", "how many times the visits of the last size a size takes", "about size"};
 inline constexpr AskInfo kAskAgrees{
     "agrees", "whether what Larsen says agrees with what was measured", "about claim"};
+
+/// How many times the visits of the size before, about: none more, as the segments, or as the
+/// pairs.
+struct Growing {
+  double ratio;
+  std::string name;  ///< "as n"
+};
+[[nodiscard]] std::array<Growing, 3> ways_to_grow(const general_growth::Sample& before,
+                                                  const general_growth::Sample& sample);
 
 /// The subject of a frame: a size, the times of all sizes, or something that Larsen says.
 struct Shown {

@@ -94,23 +94,18 @@ void times(const Shown& shown, FrameText& text) {
                   times.machine);
 }
 
-/// How many times the visits of the size before, about: none more, as the segments, or as the
-/// pairs.
-struct Growing {
-  double ratio;
-  std::string words;
-};
-std::array<Growing, 3> ways_to_grow(const Sample& before, const Sample& sample) {
-  const double segments = 1.0 * sample.segments / before.segments;
-  const auto words = [](double ratio, std::string_view as) {
-    return fmt::format("{} times, {}", fixed(ratio, ratio < 10.0 ? 1 : 0), as);
-  };
-  return {{{1.0, "hardly"},
-           {segments, words(segments, "as n")},
-           {segments * segments, words(segments * segments, "as all pairs")}}};
+/// "3.3 times, as n"
+std::string words_of(const Growing& way) {
+  if (way.ratio == 1.0) return way.name;
+  return fmt::format("{} times, {}", fixed(way.ratio, way.ratio < 10.0 ? 1 : 0), way.name);
 }
 
 }  // namespace
+
+std::array<Growing, 3> ways_to_grow(const Sample& before, const Sample& sample) {
+  const double segments = 1.0 * sample.segments / before.segments;
+  return {{{1.0, "hardly"}, {segments, "as n"}, {segments * segments, "as all pairs"}}};
+}
 
 void words(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
@@ -160,14 +155,16 @@ void question(const Story& story, FrameText& text) {
     const auto off = [&](const Growing& way) {
       return std::abs(std::log(sample.boxes / last.boxes / way.ratio));
     };
-    for (const Growing& way : ways) asked.choices.push_back(way.words);
-    asked.answer =
-        std::min_element(ways.begin(), ways.end(), [&](const Growing& a, const Growing& b) {
-          return off(a) < off(b);
-        })->words;
-    text.caption =
-        fmt::format("Question: from n = {} to {}, how do the visits of trees of boxes grow?",
-                    grouped(last.segments), grouped(sample.segments));
+    for (const Growing& way : ways) {
+      asked.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(asked.choices.size())});
+      asked.choices.push_back(words_of(way));
+    }
+    asked.answer = words_of(
+        *std::min_element(ways.begin(), ways.end(),
+                          [&](const Growing& a, const Growing& b) { return off(a) < off(b); }));
+    text.caption = fmt::format(
+        "Question: from n = {} to {}, how do the visits of trees of boxes grow? Point at a place.",
+        grouped(last.segments), grouped(sample.segments));
   } else {
     const auto claim =
         static_cast<Claim>(static_cast<int>(answer) - (before.told.steps() - kClaims));

@@ -55,6 +55,27 @@ std::vector<NodeState> Shown::node_states(bool of_x) const {
   return states;
 }
 
+std::optional<Halves> Shown::halves() const {
+  if (!is(SearchPhase::descend) && !(is(SearchPhase::visit) && state.visits > 1))
+    return std::nullopt;
+  const SearchStep& made = is(SearchPhase::descend) ? *step : *(step - 1);
+  if (made.phase != SearchPhase::descend) return std::nullopt;
+  const auto& [first, second] = made.record.children;
+  Halves out{!made.record.takes_b_apart, first, second};
+  const std::vector<TreeNode>& tree = search.tree(out.of_x);
+  const int whole = tree[static_cast<std::size_t>(out.node(true))].parent;
+  out.is_left_first = tree[static_cast<std::size_t>(whole)].left == out.node(true);
+  if (!out.is_left_first) std::swap(out.left, out.right);
+  return out;
+}
+
+bool asks_about_halves(const Lesson& lesson, long visit) {
+  return std::any_of(lesson.questions.begin(), lesson.questions.end(),
+                     [&](const LessonQuestion& question) {
+                       return question.ask == kAskHalf.name && question.at.value_or(visit) == visit;
+                     });
+}
+
 bool ends_visit(const SearchStep& step) {
   return step.phase == SearchPhase::leaf || step.phase == SearchPhase::descend ||
          (step.phase == SearchPhase::bound && step.record.cut);
@@ -62,8 +83,8 @@ bool ends_visit(const SearchStep& step) {
 
 namespace {
 
-constexpr std::array kCollideAsks = {kAskDescend};
-constexpr std::array kDistanceAsks = {kAskWin, kAskTable};
+constexpr std::array kCollideAsks = {kAskDescend, kAskHalf};
+constexpr std::array kDistanceAsks = {kAskWin, kAskTable, kAskHalf};
 
 /// Whether a question may be about this visit: then it has a frame of its own, before what comes of
 /// it. Thus has the first.
@@ -89,13 +110,22 @@ void add_frames(LessonRun& run, int index) {
     const long visit = step.after.visits;
     const bool begins_visit =
         step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
-    const bool is_between =
-        is_long && visit % (visits / kBetween) != 0 && !step.record.better && !step.record.hit;
+    const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better &&
+                            !step.record.hit && !asks_about_halves(run.lesson, visit + 1);
     if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
         (ends_visit(step) && !is_between))
       add(i + 1);
   }
   add(static_cast<int>(trace.steps.size()) + 1);
+}
+
+/// Both halves are drawn as nodes, and for a distance one of them is nearer, as a reader can see.
+bool can_ask_about(const Shown& shown, const Halves& halves) {
+  constexpr double kSeen = 0.05;  // of the larger distance
+  const std::vector<int> depths = depths_of(shown.search.tree(halves.of_x));
+  if (depths[static_cast<std::size_t>(halves.node(true))] > kMostDepth) return false;
+  const auto [near, far] = std::minmax(halves.left.bound, halves.right.bound);
+  return !shown.is_distance() || far - near > kSeen * far;
 }
 
 /// Two leaves have nothing below them to be cut.
@@ -107,6 +137,15 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
     const bool answers =
         after.is(SearchPhase::leaf) && after.has_tiles() &&
         question.at.value_or(static_cast<int>(after.state.visits)) == after.state.visits;
+    return answers ? after.over - 1 : -1;
+  }
+  if (question.ask == kAskHalf.name) {
+    const Shown after(run, frame);
+    const std::optional<Halves> halves = after.halves();
+    const bool answers =
+        shown.is(SearchPhase::descend) && after.is(SearchPhase::visit) && halves &&
+        question.at.value_or(static_cast<int>(after.state.visits)) == after.state.visits &&
+        can_ask_about(after, *halves);
     return answers ? after.over - 1 : -1;
   }
   if (shown.is_answer || !shown.is(SearchPhase::visit)) return -1;

@@ -15,6 +15,7 @@ using models::SearchStep;
 
 /// A pair that a search visited.
 struct Visit {
+  models::NodePair pair;
   int parent = -1;  ///< The visit that put it there.
   int depth = 0;
   double first = 0.0;  ///< Pairs without children that lie to the left, and below.
@@ -30,7 +31,7 @@ std::vector<Visit> visits_of(const models::SearchTrace& trace) {
   double candidate = HUGE_VAL;
   for (const SearchStep& step : trace.steps) {
     if (step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain)
-      visits.push_back({step.after.pair.from});
+      visits.push_back({step.after.pair, step.after.pair.from});
     if (step.phase == SearchPhase::bound) visits.back().is_cut = step.record.cut;
     if (step.record.better && step.after.candidate->high < candidate) {
       candidate = step.after.candidate->high;
@@ -89,6 +90,36 @@ std::string delta(const Order& order, const Numbers& numbers) {
 
 Mark better_mark(const Point& at, double radius) { return {"tree.better", Disk{at, radius}}; }
 
+constexpr AskInfo kAskNextPair{
+    "next-pair", "which pair that waits is visited next, the nearer child first", "after visit"};
+constexpr AskInfo kAskFewer{"fewer", "which order of children needs fewer visits", "after visit"};
+constexpr std::array kAsks = {kAskNextPair, kAskFewer};
+
+bool asks_for_next(const Lesson& lesson, long visits) {
+  return std::any_of(lesson.questions.begin(), lesson.questions.end(), [&](const auto& question) {
+    return question.ask == kAskNextPair.name && question.at.value_or(visits) == visits;
+  });
+}
+bool asks_for_next(const SceneBuilder& scene) {
+  const int question = scene.frame.question;
+  return question >= 0 &&
+         scene.run.lesson.questions[static_cast<std::size_t>(question)].ask == kAskNextPair.name;
+}
+Subject subject_of(const models::NodePair& pair) {
+  return {Subject::Kind::tree_node, pair.a, pair.b};
+}
+
+/// The number of a pair that waits, beside it: the first is that which has waited longest.
+void number(SceneBuilder& scene, const models::SearchState& state, const models::NodePair& pair,
+            const Point& at) {
+  const auto found = std::find_if(
+      state.waiting.begin(), state.waiting.end(),
+      [&](const models::NodePair& each) { return each.a == pair.a && each.b == pair.b; });
+  scene.out.marks.push_back(
+      {"strong", Text{at + Point(kNodeRadius + 5.0, 5.0),
+                      std::to_string(found - state.waiting.begin() + 1), type::kStrong}});
+}
+
 void draw_order(SceneBuilder& scene, const Order& order, bool nearer_first, const Rect& area,
                 double leaves, int depth) {
   const std::vector<Visit> visits = visits_of(order.trace);
@@ -116,6 +147,10 @@ void draw_order(SceneBuilder& scene, const Order& order, bool nearer_first, cons
                               : visits[i].is_cut    ? node_mark(NodeState::cut, at, radius)
                               : visits[i].is_better ? better_mark(at, radius)
                                                     : node_mark(NodeState::visited, at, radius));
+    if (!nearer_first) continue;
+    scene.out.marks.back().subject = subject_of(visits[i].pair);
+    if (i >= visited && order.state != nullptr && asks_for_next(scene))
+      number(scene, *order.state, visits[i].pair, at);
   }
   scene.out.marks.push_back({"strong", Text{{area.min.x(), area.min.y() - 13.0},
                                             std::string(order_name(nearer_first)),
@@ -142,7 +177,7 @@ bool fill_orders(SceneBuilder& scene, const Fonts& fonts) {
   draw_order(scene, orders[0], true, areas[0], leaves, depth);
   draw_order(scene, orders[1], false, areas[1], leaves, depth);
   constexpr std::array<KeyEntry, 5> kEntries = {
-      {{[](const Point& at) { return current_mark(at); }, "now"},
+      {{[](const Point& at) { return current_mark(at); }, "last visit"},
        {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
        {[](const Point& at) { return better_mark(at, kNodeRadius); }, "lower δ"},
        {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},
@@ -179,9 +214,49 @@ void add_order_frames(LessonRun& run, int index) {
   const long stride = 1 + trace.result.visits / kMostFrames;
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
     const SearchStep& step = trace.steps[static_cast<std::size_t>(i)];
-    if (ends_visit(step) && step.after.visits % stride == 0) add(i + 1);
+    const long visits = step.after.visits;
+    const bool is_asked =
+        asks_for_next(run.lesson, visits) || asks_for_next(run.lesson, visits - 1);
+    if (ends_visit(step) && (visits % stride == 0 || is_asked)) add(i + 1);
   }
   if (!trace.steps.empty()) add(static_cast<int>(trace.steps.size()) + 1);
+}
+
+/// The visit after those of the frame before, or the end of both searches.
+int order_answer(const LessonRun& run, const Frame& before, const Frame& frame,
+                 const LessonQuestion& question) {
+  const Shown shown(run, before);
+  const Shown after(run, frame);
+  if (shown.is_refused()) return -1;
+  const auto visits = static_cast<int>(shown.state.visits);
+  if (question.ask == kAskFewer.name)
+    return after.is_answer && question.at.value_or(visits) == visits ? after.over - 1 : -1;
+  const bool answers = !after.is_answer && after.state.visits == visits + 1 &&
+                       shown.state.waiting.size() > 1 && question.at.value_or(visits) == visits;
+  return answers ? after.over - 1 : -1;
+}
+
+void order_question(const Story& story, FrameText& text) {
+  const Shown& shown = shown_in<Shown>(story);
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  if (asked.ask == kAskFewer.name) {
+    const long nearer = shown.search.trace.result.visits;
+    const long left = shown.search.left_first.result.visits;
+    asked.choices = {std::string(order_name(true)), std::string(order_name(false)), "as many"};
+    asked.answer = asked.choices[nearer < left ? 0 : nearer > left ? 1 : 2];
+    text.caption = "Question: which order of children ends after fewer visits?";
+    return;
+  }
+  for (std::size_t i = 0; i < shown.state.waiting.size(); ++i) {
+    asked.choices.push_back(fmt::format("pair {}", i + 1));
+    asked.subjects.push_back(subject_of(shown.state.waiting[i]));
+  }
+  asked.answer = asked.choices.back();
+  asked.refuted = "The search visits what came last, its nearer child on top: so it goes deep.";
+  text.caption =
+      "Question: above, the nearer child first: which pair that waits is visited next? Point at "
+      "it.";
 }
 
 std::string order_position(const LessonRun& run, int index) {
@@ -272,11 +347,14 @@ const Act kOrders{
               .table_is_optional = true,
               .why_no_until = "frames show how both searches end"},
     .add_frames = add_order_frames,
+    .asks = kAsks,
+    .answering_step = order_answer,
     .algorithm = &kHierarchyDistance,
     .position = order_position,
     .tick = order_tick,
     .words = tell_orders,
     .stage = candidates,
+    .question = order_question,
     .values = values,
     .fill = fill_orders,
     .plot_title = orders_title,

@@ -10,6 +10,8 @@
 namespace gjkscope::searches {
 
 inline constexpr AskInfo kAskDescend{"descend", "whether the search descends or cuts", "at visit"};
+inline constexpr AskInfo kAskHalf{
+    "half", "which half of a volume is cut, or for a distance visited first", "at visit"};
 inline constexpr AskInfo kAskTable{
     "table", "whether two tiles are measured or their segments are in the table", "at visit"};
 inline constexpr AskInfo kAskWin{"win", "whether a pair of volumes is too far apart to matter",
@@ -25,6 +27,19 @@ enum class NodeState : std::uint8_t {
   visited,  ///< Was visited, in a pair that was not cut.
   cut,      ///< Was visited in pairs that were cut alone.
   off       ///< Below what was cut: never reached.
+};
+
+/// What a volume was taken apart into: each half with the other shape's volume.
+struct Halves {
+  bool of_x = true;
+  models::NodePair left;
+  models::NodePair right;
+  bool is_left_first = true;
+
+  [[nodiscard]] int node(bool is_left) const {
+    const models::NodePair& pair = is_left ? left : right;
+    return of_x ? pair.a : pair.b;
+  }
 };
 
 /// The part of the search that a frame shows.
@@ -63,6 +78,8 @@ struct Shown {
   [[nodiscard]] const std::string& name(bool of_x) const {
     return (of_x ? lesson.x() : lesson.y()).name;
   }
+  /// Those that the last step made, or the visit before this one; nothing elsewhere.
+  [[nodiscard]] std::optional<Halves> halves() const;
   /// "box", "circle"
   [[nodiscard]] std::string_view volume() const;
   /// "boxes", "circles"
@@ -71,6 +88,8 @@ struct Shown {
   [[nodiscard]] std::vector<NodeState> node_states(bool of_x) const;
 };
 
+/// A lesson asks what this visit answers about the halves that the one before it made.
+[[nodiscard]] bool asks_about_halves(const Lesson& lesson, long visit);
 /// The step that ends the visit of a pair.
 [[nodiscard]] bool ends_visit(const models::SearchStep& step);
 
@@ -111,7 +130,8 @@ struct KeyEntry {
   Mark (*mark)(const Point& at) = nullptr;
   std::string_view text;
 };
-/// Draws the key at the foot of a view's card, in rows of three; two rows at most.
+/// Draws the key at the foot of a view's card, in rows of three, two at most: entries whose marks
+/// the view has.
 void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entries);
 /// The places of the two trees, one above the other, between a view's title and its key.
 [[nodiscard]] std::array<Rect, 2> tree_areas(const Rect& card);

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "outlines/polygon.hpp"
 #include "subjects/hierarchy/shown.hpp"
 #include "subjects/run/subject.hpp"
 
@@ -72,6 +74,10 @@ class Stage {
     scene_.out.marks.insert(scene_.out.marks.begin(), below_.begin(), below_.end());
     if (shown_.has_pair()) pair();
     if (shown_.is(SearchPhase::descend)) children();
+    if (shown_.halves() &&
+        asks_about_halves(scene_.run.lesson,
+                          shown_.state.visits + (shown_.is(SearchPhase::descend) ? 1 : 0)))
+      halves(*shown_.halves());
     if (shown_.is(SearchPhase::leaf)) segments();
     candidate();
   }
@@ -81,6 +87,9 @@ class Stage {
     std::vector<Point> out;
     for (const Vector2d& point : points) out.push_back(scene_.at(point));
     return out;
+  }
+  [[nodiscard]] const Volume& volume_of(bool of_x, int node) const {
+    return shown_.search.tree(of_x)[static_cast<std::size_t>(node)].volume;
   }
   [[nodiscard]] static Subject subject(bool of_x, int node) {
     return of_x ? Subject{Subject::Kind::tree_node, node}
@@ -129,8 +138,7 @@ class Stage {
   }
 
   void volume(bool of_x, int node, const std::string& role) {
-    const std::vector<Point> corners =
-        mapped(outline_of(shown_.search.tree(of_x)[static_cast<std::size_t>(node)].volume));
+    const std::vector<Point> corners = mapped(outline_of(volume_of(of_x, node)));
     // As a line: what lies inside stays to be taken hold of.
     scene_.add(role, Polyline{corners, true});
     scene_.outline(corners);
@@ -147,13 +155,38 @@ class Stage {
       label.other_anchors = {corners.begin() + 1, corners.end()};
       scene_.out.moving_labels.push_back(std::move(label));
     }
-    if (shown_.is_cut()) gap();
+    if (shown_.is_cut()) gap("gap", shown_.state.pair);
   }
 
-  void gap() {
-    const auto [of_x, of_y] = gap_of(shown_.node(true).volume, shown_.node(false).volume);
+  void gap(const std::string& id, const models::NodePair& pair) {
+    const auto [of_x, of_y] = gap_of(volume_of(true, pair.a), volume_of(false, pair.b));
     scene_.line("gap.exact", scene_.at(of_x), scene_.at(of_y));
-    scene_.length_label("gap", shown_.state.pair.bound, scene_.at(of_x), scene_.at(of_y));
+    scene_.length_label(id, pair.bound, scene_.at(of_x), scene_.at(of_y));
+  }
+
+  [[nodiscard]] Point middle_of(const Halves& halves, bool is_left) const {
+    return centroid(mapped(outline_of(volume_of(halves.of_x, halves.node(is_left)))));
+  }
+  /// The names of two halves, and how far they are away once that is told.
+  void halves(const Halves& halves) {
+    for (const bool is_left : {true, false}) {
+      const models::NodePair& pair = is_left ? halves.left : halves.right;
+      const std::string name = is_left ? "left" : "right";
+      std::vector<Point> corners = mapped(outline_of(volume_of(halves.of_x, halves.node(is_left))));
+      // On the side where the other half is not.
+      const Point away = middle_of(halves, is_left) - middle_of(halves, !is_left);
+      std::sort(corners.begin(), corners.end(),
+                [&](const Point& a, const Point& b) { return a.dot(away) > b.dot(away); });
+      LabelRequest label =
+          scene_.label("half:" + name, name, halves.of_x ? "volume.x.label" : "volume.y.label",
+                       type::kSmallVertex, corners[0], 0.0, away);
+      label.other_anchors = {corners.begin() + 1,
+                             corners.begin() + static_cast<std::ptrdiff_t>(corners.size() / 2)};
+      scene_.out.moving_labels.push_back(std::move(label));
+      if (shown_.is(SearchPhase::descend)) continue;
+      volume(halves.of_x, halves.node(is_left), "volume.child");
+      if (pair.bound > 0.0) gap("gap:" + name, pair);
+    }
   }
 
   void children() {

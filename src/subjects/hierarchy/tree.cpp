@@ -189,14 +189,22 @@ void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entr
   const Point start(card.min.x() + kSide + 10.0, card.max.y() - kKey);
   const double width = (card.size().x() - 2.0 * kSide) / kColumns;
   const double rise = 0.5 * fonts.cap_height(type::kText);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto column = static_cast<double>(i % kColumns);
-    const std::size_t rows_above = i / kColumns;
+  const std::size_t drawn = scene.out.marks.size();
+  std::size_t count = 0;
+  for (const KeyEntry& entry : entries) {
+    const std::string role = entry.mark(start).role;
+    const auto end = scene.out.marks.begin() + static_cast<std::ptrdiff_t>(drawn);
+    if (std::none_of(scene.out.marks.begin(), end,
+                     [&](const Mark& mark) { return mark.role == role; }))
+      continue;
+    const auto column = static_cast<double>(count % kColumns);
+    const std::size_t rows_above = count / kColumns;
     const auto row = static_cast<double>(rows_above);
     const Point at = start + Point(column * width, kRow * (row + 0.5));
-    scene.out.marks.push_back(entries[i].mark(at));
+    scene.out.marks.push_back(entry.mark(at));
     scene.out.marks.push_back(
-        {"legend", Text{at + Point(16.0, rise), std::string(entries[i].text), type::kText}});
+        {"legend", Text{at + Point(16.0, rise), std::string(entry.text), type::kText}});
+    ++count;
   }
 }
 
@@ -219,7 +227,7 @@ bool trees(SceneBuilder& scene, const Fonts& fonts) {
   TreePicture(scene, shown, true, above).draw(fonts);
   TreePicture(scene, shown, false, below).draw(fonts);
   constexpr std::array<KeyEntry, 6> kEntries = {
-      {{[](const Point& at) { return current_mark(at); }, "now"},
+      {{[](const Point& at) { return current_mark(at); }, "a and b"},
        {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
        {[](const Point& at) { return node_mark(NodeState::ahead, at, kNodeRadius); }, "not yet"},
        {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},

@@ -85,6 +85,11 @@ class Telling {
   void visit() {
     text_.caption = fmt::format("Visit {}: the pair of {} a of {} and b of {}.",
                                 shown_.state.visits, shown_.volumes(), x(), y());
+    const std::optional<Halves> halves = shown_.halves();
+    if (halves && asks_about_halves(shown_.lesson, shown_.state.visits))
+      text_.caption = fmt::format("Visit {}: the {} half comes first. From here on it is {} {}.",
+                                  shown_.state.visits, halves->is_left_first ? "left" : "right",
+                                  shown_.volume(), halves->of_x ? "a" : "b");
     text_.detail = contents();
     if (!shown_.is_distance())
       text_.detail += fmt::format("Next: do the {} meet?", shown_.volumes());
@@ -216,8 +221,49 @@ class Telling {
 
 void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
 
+namespace {
+
+void ask_about_halves(const Story& story, const Shown& shown, FrameText& text) {
+  const Halves halves = *shown.halves();
+  const std::string_view whole = halves.of_x ? "a" : "b";
+  const std::string_view other = halves.of_x ? "b" : "a";
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = kAskHalf.name;
+  for (const bool is_left : {true, false}) {
+    asked.choices.push_back(fmt::format("{} half of {}", is_left ? "left" : "right", whole));
+    const int node = halves.node(is_left);
+    asked.subjects.push_back(
+        {Subject::Kind::tree_node, halves.of_x ? node : -1, halves.of_x ? -1 : node});
+  }
+  const auto away = [&](double bound) {
+    return bound > 0.0 ? fmt::format("is {} from {}", story.numbers(bound), other)
+                       : fmt::format("meets {}", other);
+  };
+  asked.refuted = fmt::format("The left half {}, the right half {}.", away(halves.left.bound),
+                              away(halves.right.bound));
+  if (shown.is_distance()) {
+    asked.answer = asked.choices[halves.is_left_first ? 0 : 1];
+    text.caption = fmt::format(
+        "Question: which half of {} is nearer to {}, so that it is visited first? Point at it.",
+        whole, other);
+    return;
+  }
+  asked.choices.insert(asked.choices.end(), {"both", "neither"});
+  asked.subjects.resize(asked.choices.size());
+  const bool cuts_left = halves.left.bound > 0.0;
+  const bool cuts_right = halves.right.bound > 0.0;
+  asked.answer = asked.choices[cuts_left ? (cuts_right ? 2 : 0) : cuts_right ? 1 : 3];
+  text.caption = fmt::format(
+      "Question: which half of {} does not meet {}, so that it is cut? Point at it.", whole, other);
+}
+
+}  // namespace
+
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
+  if (story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask ==
+      kAskHalf.name)
+    return ask_about_halves(story, shown, text);
   const models::SearchRecord& record =
       shown.search.trace.steps[static_cast<std::size_t>(story.frame.answering_step)].record;
   const bool is_distance = shown.is_distance();

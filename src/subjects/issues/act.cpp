@@ -18,12 +18,21 @@ Tick issues_tick(const LessonRun& run, const Frame& frame) {
           .event = frame.step >= 0};
 }
 
-constexpr std::array kAsks = {AskInfo{asks::kStop.name, asks::kStop.meaning, "at position"}};
+constexpr std::array kAsks = {AskInfo{asks::kStop.name, asks::kStop.meaning, "at position"},
+                              asks::kClosestY};
 
-int answering_step(const LessonRun&, const Frame&, const Frame& frame,
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
+  if (question.ask == asks::kClosestY.name) {
+    const Frame end{.run = frame.run, .step = last_step(run.lesson, run.run(frame).trace)};
+    const bool answers = frame.step < 0 && is_at(frame, question);
+    return answers && has_closest(run, end, question.ask) ? end.step : -1;
+  }
   return frame.step >= 0 && question.at.value_or(frame.run + 1) == frame.run + 1 ? frame.step : -1;
 }
+
+/// Before anything is told of the place of Q, or of how the run ends there.
+Frame asking(const LessonRun&, const Frame& frame) { return {.run = frame.run}; }
 
 }  // namespace
 
@@ -36,6 +45,7 @@ const Act kIssues{
     .add_frames = issues_frames,
     .asks = kAsks,
     .answering_step = answering_step,
+    .asking = asking,
     .algorithm = &kGjkAlgorithm,
     .position = position_on_path,
     .tick = issues_tick,

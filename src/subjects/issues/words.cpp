@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "picture/story.hpp"
+#include "run/questions.hpp"
 #include "subjects/issues/numerical_issue.hpp"
 #include "subjects/issues/subject.hpp"
 #include "subjects/run/subject.hpp"
@@ -142,6 +143,9 @@ void issue_solved(const Story& story, FrameText& text) {
 }
 
 void issue_question(const Story& story, FrameText& text) {
+  if (story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask ==
+      asks::kClosestY.name)
+    return closest_question(story, text);
   const int last = last_step(story.run.lesson, story.trace);
   text.question = FrameQuestion{"stop", stop_tests(story.run),
                                 stop_test(story.run, {.run = story.frame.run, .step = last})};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "run/questions.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/methods/lesson_trace.hpp"
 #include "subjects/run/subject.hpp"
@@ -15,13 +16,18 @@ const MethodsTold& told(const LessonRun& run, const Frame& frame) {
   return *methods_told(run, frame.run);
 }
 
+/// A new position, of which nothing is told yet.
+bool asks_first(const Frame& frame) { return frame.step < 0; }
 /// The frame after all positions, which sums up.
 bool is_sum(const Frame& frame) { return frame.step > 0; }
 
-/// The sum over all positions up to that of the frame.
+/// Positions whose counts a frame tells.
+int positions_told(const Frame& frame) { return frame.run + (asks_first(frame) ? 0 : 1); }
+
+/// The sum over them.
 long total(const LessonRun& run, const Frame& frame, Method method) {
   long sum = 0;
-  for (int i = 0; i <= frame.run; ++i) sum += methods_told(run, i)->at(method);
+  for (int i = 0; i < positions_told(frame); ++i) sum += methods_told(run, i)->at(method);
   return sum;
 }
 
@@ -89,14 +95,20 @@ constexpr AskInfo kAskFront{
     "at position"};
 constexpr AskInfo kAskMemory{"memory", "which method saves the largest share of its steps",
                              "at position"};
-constexpr std::array kAsks = {kAskFront, kAskMemory};
+constexpr std::array kAsks = {kAskFront, kAskMemory, asks::kClosestX};
 
 /// A position answers, from the second on, or the sum.
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   if (told(run, frame).is_refused()) return -1;
   if (question.ask == kAskMemory.name) return is_sum(frame) && !question.at ? 0 : -1;
-  return !is_sum(frame) && question.at.value_or(frame.run + 1) == frame.run + 1 ? 0 : -1;
+  const bool is_open =
+      question.ask == kAskFront.name ? frame.run > 0 : told(run, frame).answer.distance > 0.0;
+  return !is_sum(frame) && is_open && is_at(frame, question) ? 0 : -1;
+}
+
+Frame asking(const LessonRun&, const Frame& frame) {
+  return {.run = frame.run, .step = is_sum(frame) ? 0 : -1};
 }
 
 void ask_about_front(const MethodsTold& at, FrameText& text, FrameQuestion& asked) {
@@ -105,7 +117,7 @@ void ask_about_front(const MethodsTold& at, FrameText& text, FrameQuestion& aske
   asked.choices = {"fewer", "as many", "more"};
   asked.answer = asked.choices[front < roots ? 0 : front == roots ? 1 : 2];
   text.caption =
-      "Question: next, does a search from the last front visit fewer pairs than one from the "
+      "Question: here, does a search from the last front visit fewer pairs than one from the "
       "roots?";
 }
 
@@ -125,11 +137,37 @@ void ask_about_memory(const Story& story, FrameText& text, FrameQuestion& asked)
   text.caption = "Question: whose memory saves the largest share of its steps?";
 }
 
+/// Some vertices and edges of X in a row, the closest among them.
+void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) {
+  const models::Answer& answer = told(story.run, story.frame).answer;
+  const std::vector<Eigen::Vector2d> points = in_plane(story.positioned.x().world);
+  const std::vector<std::string>& names = story.run.lesson.x().vertex_names;
+  const int count = static_cast<int>(points.size());
+  const int choices = std::min(7, 2 * count);
+  // Feature 2i is vertex i, 2i + 1 the edge after it. Its place among the choices differs.
+  const int closest = 2 * answer.on_a.index + (answer.on_a.is_vertex ? 0 : 1);
+  const int first = closest - story.frame.run % choices;
+  for (int i = first; i < first + choices; ++i) {
+    const int feature = (i + 2 * count) % (2 * count);
+    const auto from = static_cast<std::size_t>(feature / 2);
+    const auto to = static_cast<std::size_t>((feature / 2 + feature % 2) % count);
+    asked.choices.push_back(from == to ? names[from] : names[from] + names[to]);
+    asked.spots.emplace_back(Spot(ViewKind::world, points[from], points[to]));
+    if (i == closest) asked.answer = asked.choices.back();
+  }
+  asked.place = answer.a;
+  text.caption = fmt::format(
+      "Question: both have moved on. Which point of {} is closest to {} here? Point at it.",
+      story.run.lesson.x().name, story.run.lesson.y().name);
+}
+
 void question(const Story& story, FrameText& text) {
   FrameQuestion& asked = text.question.emplace();
   asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
   if (asked.ask == kAskFront.name) {
-    ask_about_front(*methods_told(story.run, story.frame.run + 1), text, asked);
+    ask_about_front(told(story.run, story.frame), text, asked);
+  } else if (asked.ask != kAskMemory.name) {
+    ask_for_closest(story, text, asked);
   } else {
     ask_about_memory(story, text, asked);
   }
@@ -139,7 +177,7 @@ void values(const Story& story, FrameText& text) {
   const MethodsTold& at = told(story.run, story.frame);
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
-  if (at.is_refused()) return;
+  if (at.is_refused() || asks_first(story.frame)) return;
   text.values.emplace_back("distance", story.numbers(at.answer.distance));
   for (const Method method : kMethods)
     text.values.emplace_back(name_of(method), fmt::format("{} {}", at.at(method), unit_of(method)));
@@ -147,7 +185,7 @@ void values(const Story& story, FrameText& text) {
 
 void stage(SceneBuilder& scene) {
   const MethodsTold& at = told(scene.run, scene.frame);
-  if (at.is_refused()) return;
+  if (at.is_refused() || asks_first(scene.frame)) return;
   const Point x = scene.at(at.answer.a);
   const Point y = scene.at(at.answer.b);
   scene.line("closest.line", x, y);
@@ -173,7 +211,7 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
       const MethodsTold& each = *methods_told(scene.run, i);
       const double count = static_cast<double>(std::max(each.at(method), 1L));
       most = std::max(most, count);
-      if (i <= scene.frame.run) series.points.emplace_back(i + 1.0, count);
+      if (i < positions_told(scene.frame)) series.points.emplace_back(i + 1.0, count);
     }
     plot.series.push_back(std::move(series));
   }
@@ -195,7 +233,8 @@ void counters(PanelBuilder& panel) {
   if (at.is_refused()) return;
   for (const Method method : kMethods) {
     panel.write("strong", panel.left, std::string(name_of(method)), type::kStrong);
-    panel.write("code.current", now, std::to_string(at.at(method)), type::kCode, Align::right);
+    panel.write("code.current", now, asks_first(panel.frame) ? "–" : std::to_string(at.at(method)),
+                type::kCode, Align::right);
     panel.write("code.current", panel.right, std::to_string(total(panel.run, panel.frame, method)),
                 type::kCode, Align::right);
     panel.y += rows::kTightRow;
@@ -224,6 +263,7 @@ const Act kAct{
     .sweeps = true,
     .asks = kAsks,
     .answering_step = answering_step,
+    .asking = asking,
     .algorithm = &kMethodsAlgorithm,
     .position = position,
     .tick = tick,

@@ -14,29 +14,27 @@ const Vector2d& point_of(const models::Ring& ring, int i) {
   return ring.points[static_cast<std::size_t>(i)];
 }
 
-/// The edge that leads on from a corner, as a way.
-Vector2d way_of(const Shown& shown, const Corner& from, Source source) {
-  const models::Ring& x = shown.merge.x;
-  const models::Ring& y = shown.merge.y;
-  Vector2d way = Vector2d::Zero();
-  if (source != Source::x) way += point_of(y, y.next(from.y)) - point_of(y, from.y);
-  if (source != Source::y) way -= point_of(x, x.next(from.x)) - point_of(x, from.x);
-  return way;
-}
-
 std::string role_of(Source source) {
   return source == Source::y ? "from.y" : source == Source::x ? "from.x" : "from.both";
 }
 
-/// In the world: the edges of X and Y that are next, or that make the newest edge.
+/// The step that is asked about; none where a frame tells.
+const minkowski_sum::Step* asked_step(const SceneBuilder& scene, const Shown& shown) {
+  if (scene.frame.question < 0) return nullptr;
+  return &shown.merge.steps[static_cast<std::size_t>(scene.frame.answering_step)];
+}
+
+/// In the world: the edges of X and Y that make the newest edge, or that can make the next.
 void in_world(SceneBuilder& scene, const Shown& shown) {
-  if (!shown.is(Phase::edge)) return;
+  const minkowski_sum::Step* asked = asked_step(scene, shown);
+  if (asked == nullptr && !shown.is(Phase::edge)) return;
   const auto mark = [&](const models::Ring& ring, int from, const std::string& role) {
     scene.line(role, scene.at(point_of(ring, from)), scene.at(point_of(ring, ring.next(from))));
   };
-  const Source source = shown.step->source;
-  if (source != Source::x) mark(shown.merge.y, shown.step->before.at.y, "from.y");
-  if (source != Source::y) mark(shown.merge.x, shown.step->before.at.x, "from.x");
+  const Source source = asked != nullptr ? Source::both : shown.step->source;
+  const Corner& from = asked != nullptr ? asked->before.at : shown.step->before.at;
+  if (source != Source::x) mark(shown.merge.y, from.y, "from.y");
+  if (source != Source::y) mark(shown.merge.x, from.x, "from.x");
 }
 
 /// -X and Y, which are added.
@@ -78,8 +76,20 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
                                                  type::kSmallVertex, point, kTouchedRadius,
                                                  point - middle));
   };
+  // Both edges that can follow are choices alike.
+  const minkowski_sum::Step* asked = asked_step(scene, shown);
+  for (const Source source : {Source::y, Source::x}) {
+    if (asked == nullptr) break;
+    const Point from = corner_at(asked->before.at);
+    const Point to = scene.at(merge.at(asked->before.at) + way_of(shown, asked->before.at, source));
+    scene.arrow("ghost.arrow", from, to);
+    const std::string name = shown.edge(asked->before.at, source);
+    scene.out.moving_labels.push_back(scene.label(
+        "next:" + name, name, source == Source::y ? "shape.y.label" : "shape.x.label",
+        type::kSmallVertex, 0.5 * (from + to), 2.0, Point(to.y() - from.y(), from.x() - to.x())));
+  }
   // The edge that was not taken stays what it was: next.
-  if (shown.is(Phase::edge) && shown.step->source != Source::both) {
+  if (asked == nullptr && shown.is(Phase::edge) && shown.step->source != Source::both) {
     const Source other = shown.step->source == Source::y ? Source::x : Source::y;
     const bool is_left = other == Source::y ? shown.step->before.edges_of_y < merge.y.size()
                                             : shown.step->before.edges_of_x < merge.x.size();
@@ -106,6 +116,15 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
 }
 
 }  // namespace
+
+Vector2d way_of(const Shown& shown, const Corner& from, Source source) {
+  const models::Ring& x = shown.merge.x;
+  const models::Ring& y = shown.merge.y;
+  Vector2d way = Vector2d::Zero();
+  if (source != Source::x) way += point_of(y, y.next(from.y)) - point_of(y, from.y);
+  if (source != Source::y) way -= point_of(x, x.next(from.x)) - point_of(x, from.x);
+  return way;
+}
 
 void stage(SceneBuilder& scene) {
   const Shown& shown = shown_in<Shown>(scene);

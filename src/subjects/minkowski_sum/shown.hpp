@@ -53,6 +53,9 @@ extern const Block kMerge;
 extern const Listing kListing;
 
 // layers.cpp
+/// The edge that leads on from a corner, as a way.
+[[nodiscard]] Eigen::Vector2d way_of(const Shown& shown, const minkowski_sum::Corner& from,
+                                     minkowski_sum::Source source);
 void stage(SceneBuilder& scene);
 
 // words.cpp

@@ -97,11 +97,16 @@ void question(const Story& story, FrameText& text) {
   const minkowski_sum::Step& step =
       shown.merge.steps[static_cast<std::size_t>(story.frame.answering_step)];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEdge.name), {}, {}});
-  for (const Source source : {Source::y, Source::x})
+  const Eigen::Vector2d from = shown.merge.at(step.before.at);
+  for (const Source source : {Source::y, Source::x}) {
     asked.choices.push_back(shown.edge(step.before.at, source));
+    asked.spots.emplace_back(Spot(ViewKind::difference, from,
+                                  Eigen::Vector2d(from + way_of(shown, step.before.at, source))));
+  }
   asked.choices.emplace_back("both: they are parallel");
+  asked.spots.emplace_back();
   asked.answer = asked.choices[static_cast<std::size_t>(step.source)];
-  text.caption = "Question: which edge comes next?";
+  text.caption = "Question: two edges can follow. Which comes next? Point at it.";
 }
 
 void values(const Story& story, FrameText& text) {

@@ -25,8 +25,10 @@ int test_answer(const LessonRun& run, const Frame&, const Frame& frame,
   const int tried = *tried_tests(run, frame);
   if (question.ask == kAskTest.name)
     return tried > 0 && tried < regions && question.at.value_or(tried) == tried ? frame.step : -1;
+  // When the last but one fails, the last region is what is left.
   const bool decides =
-      tried > 0 && tried < regions && run.step(frame).record.region_tests[tried - 1].holds;
+      tried > 0 && tried < regions &&
+      (tried + 1 == regions || run.step(frame).record.region_tests[tried - 1].holds);
   return decides && question.ask == asks::kRegion.name ? frame.step : -1;
 }
 
