@@ -233,8 +233,7 @@ void counters(PanelBuilder& panel) {
   if (at.is_refused()) return;
   for (const Method method : kMethods) {
     panel.write("strong", panel.left, std::string(name_of(method)), type::kStrong);
-    panel.write("code.current", now, asks_first(panel.frame) ? "–" : std::to_string(at.at(method)),
-                type::kCode, Align::right);
+    panel.write("code.current", now, std::to_string(at.at(method)), type::kCode, Align::right);
     panel.write("code.current", panel.right, std::to_string(total(panel.run, panel.frame, method)),
                 type::kCode, Align::right);
     panel.y += rows::kTightRow;
