@@ -39,7 +39,7 @@ struct FrameQuestion {
   /// The two to choose, in their order, if a choice is a pair, "K−A".
   std::vector<VertexChoice> pair = {};
   std::vector<std::optional<Spot>> spots = {};  ///< For the choices, in order; or empty.
-  /// Of the marks to point at for the choices, in order, none where there is no mark; or empty.
+  /// The marks to point at for the choices, in order, none where there is no mark; or empty.
   std::vector<Subject> subjects = {};
   /// The place that is asked for, if it is one: an answer says how far off it is.
   std::optional<Eigen::Vector2d> place = {};

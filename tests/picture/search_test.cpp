@@ -138,7 +138,7 @@ TEST(SearchFrames, AskOnlyWhatAVisitAnswers) {
   EXPECT_EQ(asked, 7);
 }
 
-/// What the search says of both halves when it visits them, however long after the question.
+/// The search says so of both halves when it visits them, however long after the question.
 TEST(SearchFrames, AskAboutHalvesWhatTheirVisitsSay) {
   std::set<std::string> answers;
   for (const std::string& id : kLessons) {

@@ -29,7 +29,7 @@ enum class NodeState : std::uint8_t {
   off       ///< Below what was cut: never reached.
 };
 
-/// What a volume was taken apart into: each half with the other shape's volume.
+/// The halves into which a volume was taken apart, each with the other shape's volume.
 struct Halves {
   bool of_x = true;
   models::NodePair left;

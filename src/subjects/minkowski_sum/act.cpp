@@ -14,7 +14,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   if (question.ask != kAskEdge.name || !shown.is(minkowski_sum::Phase::edge)) return -1;
   if (question.at && *question.at != run.info(frame).iteration) return -1;
   const minkowski_sum::State& before = shown.step->before;
-  // Where one shape has no edge left there is nothing to choose.
+  // With no edge left in one shape there is nothing to choose.
   if (before.edges_of_y == shown.merge.y.size() || before.edges_of_x == shown.merge.x.size())
     return -1;
   return frame.step;
