@@ -273,8 +273,7 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
         if (has_corner) line.points.emplace_back(point.x(), line.points.back().y());
         line.points.push_back(point);
       }
-      const bool is_alone = series->points.size() == 1;  // a line through it has no length
-      if (!series->has_symbols && !is_alone) continue;
+      if (!series->has_symbols) continue;
       if (series->style != PlotStyle::other) obstacles.circles.push_back({point, kHollow});
       const Subject subject = series->subjects.empty() ? Subject{} : series->subjects[i];
       symbols.push_back({role_of(series->style), symbol(series->style, point), -1, subject});
@@ -282,6 +281,10 @@ std::vector<Mark> plot_marks(const Plot& plot, const Fonts& fonts, const Rect& a
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       obstacles.segments.push_back({line.points[i - 1], line.points[i]});
     }
+    // A line through one point has no length.
+    constexpr double kHalf = 5.0;
+    if (line.points.size() == 1)
+      line.points = {line.points[0] - Point(kHalf, 0.0), line.points[0] + Point(kHalf, 0.0)};
     if (!line.points.empty()) add(role_of(series->style, ".line"), std::move(line));
   }
   for (Mark& mark : symbols) marks.push_back(std::move(mark));
