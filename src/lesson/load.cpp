@@ -720,14 +720,6 @@ void LessonReader::read_panel(const Table& panel) {
 
 void LessonReader::read_questions(const Field& questions) {
   const Act& act = *vocabulary_.act(lesson_.act);
-  if (questions && act.asks.empty()) {
-    std::vector<const Act*> asking;
-    std::copy_if(vocabulary_.acts.begin(), vocabulary_.acts.end(), std::back_inserter(asking),
-                 [](const Act* each) { return !each->asks.empty(); });
-    problems_.add(questions.place(), fmt::format("questions with granularity '{}'", act.name),
-                  "granularity " + one_of(names_of(asking)));
-    return;
-  }
   std::vector<std::string> known;
   for (const Act* each : vocabulary_.acts) {
     for (const AskInfo& info : each->asks) {

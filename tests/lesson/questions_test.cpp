@@ -163,11 +163,6 @@ TEST(Questions, NeedFramesThatAnswer) {
   ASSERT_EQ(loaded.problems.size(), 1u);
   EXPECT_EQ(loaded.problems[0].what, "question 'stop' with granularity 'answer'");
   EXPECT_EQ(loaded.problems[0].line, 11);
-  loaded = parse(pentagon("hierarchy-orders", R"(questions = [{ ask = "stop" }])"));
-  EXPECT_TRUE(
-      std::any_of(loaded.problems.begin(), loaded.problems.end(), [](const Problem& problem) {
-        return problem.what == "questions with granularity 'hierarchy-orders'";
-      }));
   loaded = parse(pentagon("test", R"(questions = [{ ask = "stop" }])"));
   ASSERT_EQ(loaded.problems.size(), 1u);
   EXPECT_EQ(loaded.problems[0].what, "question 'stop' with granularity 'test'");
