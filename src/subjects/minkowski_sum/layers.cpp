@@ -76,17 +76,21 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
                                                  type::kSmallVertex, point, kTouchedRadius,
                                                  point - middle));
   };
-  // Both edges that can follow are choices alike.
+  // Both edges that can follow are choices alike, each with its name on the side of its own.
   const minkowski_sum::Step* asked = asked_step(scene, shown);
   for (const Source source : {Source::y, Source::x}) {
     if (asked == nullptr) break;
     const Point from = corner_at(asked->before.at);
-    const Point to = scene.at(merge.at(asked->before.at) + way_of(shown, asked->before.at, source));
+    const auto tip = [&](Source of) {
+      return scene.at(merge.at(asked->before.at) + way_of(shown, asked->before.at, of));
+    };
+    const Point to = tip(source);
     scene.arrow("ghost.arrow", from, to);
     const std::string name = shown.edge(asked->before.at, source);
-    scene.out.moving_labels.push_back(scene.label(
-        "next:" + name, name, source == Source::y ? "shape.y.label" : "shape.x.label",
-        type::kSmallVertex, 0.5 * (from + to), 2.0, Point(to.y() - from.y(), from.x() - to.x())));
+    scene.out.moving_labels.push_back(
+        scene.label("next:" + name, name, source == Source::y ? "shape.y.label" : "shape.x.label",
+                    type::kSmallVertex, 0.5 * (from + to), 2.0,
+                    to - tip(source == Source::y ? Source::x : Source::y)));
   }
   // The edge that was not taken stays what it was: next.
   if (asked == nullptr && shown.is(Phase::edge) && shown.step->source != Source::both) {
