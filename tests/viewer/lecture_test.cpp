@@ -336,13 +336,6 @@ TEST(Lecture, TheDirectionsStandAtTheShapesWhileTheirVerticesAreAsked) {
   EXPECT_GE(pair.x, 0);
 }
 
-TEST(Lecture, WhereNothingIsAskedThatIsSaid) {
-  HeadlessApp window("hierarchy-orders");
-  window.key("P");
-  for (const Frame& frame : window.session().run().frames) EXPECT_LT(frame.question, 0);
-  for (int i = 0; i < 3; ++i) window.frame();
-}
-
 TEST(Lecture, TheRingShowsThatThePointerMovedAndFades) {
   HeadlessApp window;
   window.move({415.0, 450.0});
