@@ -133,7 +133,7 @@ TEST(DepthFrames, AreTheSameInEveryScalarThatHoldsTheShapes) {
     const LessonRun run = run_lesson(lesson);
     EXPECT_EQ(depth_trace(run, 0)->result.depth, 0.0);
     EXPECT_EQ(depth_trace(run, 0)->result.verdict, gjk::Verdict::touching);
-    EXPECT_EQ(run.frames.size(), 10u) << "with a question";
+    EXPECT_EQ(run.frames.size(), 11u) << "with two questions";
   }
 }
 
