@@ -76,7 +76,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
                                                  type::kSmallVertex, point, kTouchedRadius,
                                                  point - middle));
   };
-  // Both edges that can follow are choices alike, each with its name on the side of its own.
+  // Both edges that can follow are choices alike, each in its own colour and with its name.
   const minkowski_sum::Step* asked = asked_step(scene, shown);
   for (const Source source : {Source::y, Source::x}) {
     if (asked == nullptr) break;
@@ -85,7 +85,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
       return scene.at(merge.at(asked->before.at) + way_of(shown, asked->before.at, of));
     };
     const Point to = tip(source);
-    scene.arrow("ghost.arrow", from, to);
+    scene.arrow(role_of(source), from, to);
     const std::string name = shown.edge(asked->before.at, source);
     scene.out.moving_labels.push_back(
         scene.label("next:" + name, name, source == Source::y ? "shape.y.label" : "shape.x.label",
