@@ -1786,7 +1786,8 @@ claim("the site is at most 10 MB, a further page at most 90 kB", async () => {
 
 claim("the program is small; how fast pages are is printed", async () => {
   const compressed = statSync(`${root}/build/wasm/web/gjkscope.wasm.gz`).size;
-  assert.ok(compressed <= 1.2e6, `${compressed} bytes`);
+  // Before lessons in space it had 1,195 kB, and space may add 150.
+  assert.ok(compressed <= 1.345e6, `${compressed} bytes`);
   const page = await open(url("polygons-gjk"));
   const live = Number(await page.evaluate(() => document.documentElement.dataset.ready));
   await close(page);

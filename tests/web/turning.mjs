@@ -1,5 +1,5 @@
-// The time in which a page of an exported site turns space by the pointer: the program's own time, in its thread, and the page's, from its
-// answer until what it shows has its layout. Painting, which is the browser's, is not in it. Nothing here fails; it prints.
+// The time in which a page of an exported site turns space by the pointer: the program's, in its thread; the script's, from the answer until
+// the picture is in the page; both, which are the page's own work; and the layout that the browser makes then. Nothing here fails; it prints.
 // Usage: node turning.mjs SITE [PAGE ...]
 import { resolve } from "node:path";
 import { chromium } from "playwright-core";
@@ -12,7 +12,7 @@ const MOVES = 60;
 
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
 
-/** Milliseconds of each move, in the program and in the page. */
+/** Milliseconds of each move: in the program, in the page's script, in both, and in the browser's layout. */
 async function times(address) {
   const context = await browser.newContext({ viewport: { width: 1366, height: 768 }, serviceWorkers: "block" });
   const page = await context.newPage();
@@ -29,34 +29,36 @@ async function times(address) {
     globalThis.spent = [];
     answer = (message) => {
       const begin = performance.now();
-      const told = whole(message);
+      const answered = whole(message);
       if (message.includes('"move"')) globalThis.spent.push(performance.now() - begin);
-      return told;
+      return answered;
     };
   });
   const eye = () => page.evaluate(() => String(state.eye));
   const before = await eye();
-  const ofPage = await page.evaluate(async ({ from: [x, y], moves }) => {
+  const [ofScript, ofLayout] = await page.evaluate(async ({ from: [x, y], moves }) => {
     const heard = worker.onmessage;
     const shown = window.show;
-    const spent = [];
-    let begin;
-    let told;
+    const spent = [[], []];
+    let began;
+    let isShown;
     worker.onmessage = (event) => {
-      begin = performance.now();
+      began = performance.now();
       heard(event);
     };
     window.show = (...answer) => {
       shown(...answer);
+      const inPage = performance.now();
       document.body.getBoundingClientRect();
-      spent.push(performance.now() - begin);
-      told();
+      spent[0].push(inPage - began);
+      spent[1].push(performance.now() - inPage);
+      isShown();
     };
     for (let i = 1; i <= moves; ++i) {
-      const isTold = new Promise((done) => { told = done; });
+      const next = new Promise((done) => { isShown = done; });
       const place = { clientX: x + 3 * i, clientY: y + i, pointerId: 1, pointerType: "mouse", bubbles: true };
       document.getElementById("stage").dispatchEvent(new window.PointerEvent("pointermove", place));
-      await isTold;
+      await next;
     }
     worker.onmessage = heard;
     window.show = shown;
@@ -66,20 +68,19 @@ async function times(address) {
   const ofProgram = await thread.evaluate(() => globalThis.spent);
   await page.mouse.up();
   await context.close();
-  return { ofProgram, ofPage };
+  return [ofProgram, ofScript, ofProgram.map((time, i) => time + ofScript[i]), ofLayout];
 }
 
-const told = (all) => {
+const leastAndMedian = (all) => {
   const sorted = [...all].sort((a, b) => a - b);
   return `${sorted[0].toFixed(1).padStart(7)} ${sorted[Math.floor(sorted.length / 2)].toFixed(1).padStart(7)}`;
 };
 
 const server = await serve(site);
-console.log(`least and median of ${MOVES} moves, ms      program            page            both`);
+console.log(`least and median of ${MOVES} moves, ms      program          script        own work          layout`);
 for (const name of names) {
-  const { ofProgram, ofPage } = await times(`${server.address}${name}.html`);
-  const both = ofProgram.map((time, i) => time + ofPage[i]);
-  console.log(`${name.padEnd(28)} ${told(ofProgram)} ${told(ofPage)} ${told(both)}`);
+  const columns = await times(`${server.address}${name}.html`);
+  console.log(`${name.padEnd(28)} ${columns.map(leastAndMedian).join(" ")}`);
 }
 server.close();
 await browser.close();
