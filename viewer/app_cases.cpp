@@ -10,41 +10,13 @@
 #include "base/file.hpp"
 #include "files.hpp"
 #include "lesson/load.hpp"
-#include "outlines/polygon.hpp"
-#include "picture/words.hpp"
-#include "session/edit.hpp"
-#include "subjects/shape_hull/shape_hull.hpp"
+#include "session/case_lesson.hpp"
 #include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
 namespace gjkscope {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// Text as prose that stands for itself.
-std::string as_prose(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    out += c;
-    if (c == '{' || c == '}') out += c;
-  }
-  return out;
-}
-
-/// A sentence, with a full stop where it has none.
-std::string sentence(std::string text) {
-  if (!text.empty() && std::string_view(".!?").find(text.back()) == std::string_view::npos)
-    text += '.';
-  return text;
-}
-
-/// True if the vertices in their order are no convex outline; GJK sees their hull.
-bool shows_another_outline(const std::vector<Eigen::Vector2d>& vertices) {
-  return vertices.size() > 3 && !is_convex(vertices);
-}
-
-}  // namespace
 
 App::ReadLesson App::read_case(std::string_view text, const std::string& file) const {
   const std::vector<ReadCase> cases = parse_cases(text, file, 3);
@@ -55,28 +27,6 @@ App::ReadLesson App::read_case(std::string_view text, const std::string& file) c
       lesson_around(first, has_name ? first.name : fs::path(file).stem().string());
   if (!lesson)
     return {std::nullopt, load_lesson(opening_lesson(paths_.share), vocabulary()).problems};
-  const std::string why = sentence(first.notes.why.empty() ? "Shapes of a case" : first.notes.why);
-  lesson->prose = as_prose(why);
-  if (!first.notes.source.empty()) {
-    lesson->source = first.notes.source;
-    lesson->prose += as_prose(" Source: " + sentence(first.notes.source));
-  }
-  std::string hulls;
-  for (const LessonShape& shape : lesson->bodies) {
-    if (first.in_space || !shows_another_outline(in_plane(shape.vertices))) continue;
-    hulls += (hulls.empty() ? "" : " and of ") + shape.name;
-    for (LessonView& view : lesson->views) {
-      if (view.kind == ViewKind::world && !view.calls_for(ShapeHull::kName))
-        view.effects.emplace_back(ShapeHull::kName);
-    }
-  }
-  if (!hulls.empty()) lesson->prose += fmt::format(" GJK sees the hull of {}.", hulls);
-  const std::size_t pairs = lesson->x().vertices.size() * lesson->y().vertices.size();
-  if (pairs > edit::kMostPairs) {
-    lesson->prose +=
-        fmt::format(" Z has {} differences: of its outline only what the run finds is drawn.",
-                    grouped(static_cast<double>(pairs)));
-  }
   NotedCase noted{lesson->x().vertices, lesson->y().vertices, first.notes};
   return {std::move(lesson), {}, cases.size(), std::move(noted), first.understood};
 }
@@ -117,14 +67,7 @@ std::optional<Lesson> App::lesson_around(const ReadCase& read, const std::string
   const fs::path file = opening_lesson(paths_.share);
   LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
   if (!loaded.lesson) return std::nullopt;
-  Lesson lesson = edit::told_of(*std::move(loaded.lesson), read);
-  lesson.id = name;
-  lesson.path.clear();
-  lesson.title = name;
-  lesson.prose = "Shapes of a case.";
-  lesson.source.clear();
-  lesson.options = {};
-  return lesson;
+  return case_lesson(*std::move(loaded.lesson), read, name);
 }
 
 const CaseNotes* App::case_notes() const {

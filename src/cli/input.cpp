@@ -10,6 +10,8 @@
 
 #include "base/file.hpp"
 #include "lesson/paste.hpp"
+#include "session/case_lesson.hpp"
+#include "session/session.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/two_runs/log_lesson.hpp"
 
@@ -30,6 +32,44 @@ std::vector<std::string> lesson_ids(const fs::path& folder) {
 
 [[nodiscard]] bool is_path(const std::string& name) {
   return name.find('/') != std::string::npos || fs::path(name).extension() == ".toml";
+}
+
+/// A case as a lesson, which shows it as the first lesson about two polygons shows its own shapes.
+/// `id` names its files, and the case where that has no name.
+LoadedLesson lesson_of(const Environment& env, const ReadCase& read, const std::string& file,
+                       const std::string& id) {
+  if (!read.problems.empty()) return {std::nullopt, read.problems};
+  LoadedLesson loaded = load_lesson(env.share / "lessons" / "polygons-gjk.toml", vocabulary());
+  if (!loaded.lesson) return loaded;
+  const bool has_name = !read.name.starts_with(file);
+  Lesson lesson = case_lesson(*std::move(loaded.lesson), read, has_name ? read.name : id);
+  lesson.id = id;
+  std::vector<Problem> problems = why_not_said(lesson);
+  if (problems.empty()) return {std::move(lesson), {}};
+  for (Problem& problem : problems) {
+    problem.file = read.name;
+    problem.line = read.place.line;
+    problem.column = read.place.column;
+  }
+  return {std::nullopt, std::move(problems)};
+}
+
+/// Adds a lesson for each case; returns an exit code, after problems were printed on `env.err`.
+int add_lessons_of(const Environment& env, const std::string& file,
+                   const std::vector<ReadCase>& cases, std::vector<Lesson>& lessons) {
+  const std::string stem = file == "-" ? "case" : fs::path(file).stem().string();
+  int exit_code = kDone;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string id = i == 0 ? stem : fmt::format("{}-{}", stem, i + 1);
+    LoadedLesson loaded = lesson_of(env, cases[i], file == "-" ? "<stdin>" : file, id);
+    for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
+    if (loaded.lesson) {
+      lessons.push_back(*std::move(loaded.lesson));
+    } else {
+      exit_code = kProblem;
+    }
+  }
+  return exit_code;
 }
 
 }  // namespace
@@ -85,8 +125,17 @@ FoundLessons find_lessons(const Environment& env, const LessonChoice& choice) {
       }
     }
   }
-  for (const std::string& name : choice.names) {
-    FoundLesson found = find_lesson(env, name);
+  for (std::size_t i = 0; i < choice.names.size(); ++i) {
+    if (is_case_file(choice.names[i])) {
+      const std::optional<CasesOfFiles> found =
+          read_cases(env, choice.names, i, std::nullopt, CaseLimits::of_lessons());
+      const int exit_code =
+          found ? add_lessons_of(env, choice.names[i], found->cases, all.lessons) : kCannot;
+      all.exit_code = std::max(all.exit_code, exit_code);
+      i += found ? found->files - 1 : 0;
+      continue;
+    }
+    FoundLesson found = find_lesson(env, choice.names[i]);
     if (found.lesson) {
       all.lessons.push_back(std::move(*found.lesson));
     } else {
@@ -121,12 +170,13 @@ bool is_case_file(const std::string& name) {
 
 std::optional<CasesOfFiles> read_cases(const Environment& env,
                                        const std::vector<std::string>& files, std::size_t first,
-                                       models::Needs needs) {
+                                       std::optional<models::Needs> needs,
+                                       const CaseLimits& limits) {
   const auto named = [](const std::string& file) { return file == "-" ? "<stdin>" : file; };
   const std::string& file = files[first];
   std::optional<std::string> text = read_text(env, file);
   if (!text) return std::nullopt;
-  CasesOfFiles read{parse_cases(*text, named(file), gjk::kMaxDimension, needs)};
+  CasesOfFiles read{parse_cases(*text, named(file), gjk::kMaxDimension, needs, limits)};
   std::error_code none;
   if (read.cases.front().has_one_shape && first + 1 < files.size() &&
       fs::is_regular_file(files[first + 1], none)) {

@@ -28,9 +28,9 @@ struct FoundLesson {
 };
 [[nodiscard]] FoundLesson find_lesson(const Environment& env, const std::string& name);
 
-/// The lessons of a choice, in the order named; for all of them, that of the chapters. When any of
-/// them has a problem there are none, but an exit code: a list with a mistake in it is not done by
-/// half.
+/// The lessons of a choice, in the order named, and of files of shapes one for each case; for all
+/// of them, that of the chapters. When any of them has a problem there are none, but an exit code:
+/// a list with a mistake in it is not done by half.
 struct FoundLessons {
   std::vector<Lesson> lessons;
   int exit_code = kDone;
@@ -51,7 +51,9 @@ struct CasesOfFiles {
 /// Nothing, with a message on `env.err`, when the file cannot be read.
 [[nodiscard]] std::optional<CasesOfFiles> read_cases(const Environment& env,
                                                      const std::vector<std::string>& files,
-                                                     std::size_t first, models::Needs needs);
+                                                     std::size_t first,
+                                                     std::optional<models::Needs> needs,
+                                                     const CaseLimits& limits = {});
 
 /// Whether the output arrived: false, with a message on `env.err`, when the disk is full or the
 /// like.

@@ -135,7 +135,9 @@ void add_export(CLI::App& app, Arguments& args) {
   CLI::App* command =
       app.add_subcommand("export", "Draw the frames of lessons into files, without a window");
   ExportOptions& options = args.export_options;
-  command->add_option("lesson", args.lessons.names, "Ids or files of lessons");
+  command->add_option(
+      "lesson", args.lessons.names,
+      "Ids or files of lessons, files of cases (.json, .wkt, .obj, .txt, ...), or -");
   command->add_flag("--all", args.lessons.all, "All shipped lessons");
   CLI::Option* sheet =
       command
@@ -386,7 +388,8 @@ void add_commands(CLI::App& app, Arguments& args) {
       "  gjkscope judge --program ./mine --program ./theirs --float\n");
 
   CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
-  told->add_option("lesson", args.lessons.names, "Ids or files of lessons");
+  told->add_option("lesson", args.lessons.names,
+                   "Ids or files of lessons, files of cases (.json, .wkt, .obj, .txt, ...), or -");
   told->add_flag("--all", args.lessons.all, "All shipped lessons");
   told->add_flag("--markdown", args.markdown, "Print headings and lists in Markdown");
   add_no_questions(told);

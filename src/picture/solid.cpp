@@ -108,7 +108,7 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   const std::vector<bool> front = faces_in_front(scene.map, solid);
   const auto is_front = [&](int face) { return front[static_cast<std::size_t>(face)]; };
   // Among many short edges those behind cannot be told apart, and at last no edge or face can.
-  constexpr double kHiddenRoom = 24.0;
+  constexpr double kHiddenRoom = 32.0;
   constexpr double kRoom = 12.0;
   double length = 0.0;
   for (const Polyhedron::Edge& ends : solid.edges) length += (at(ends.from) - at(ends.to)).norm();

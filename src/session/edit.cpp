@@ -282,6 +282,9 @@ Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
   lesson.path_of_shapes.reset();
   lesson.warm_start = false;
   lesson.questions.clear();
+  lesson.opening.clear();
+  lesson.next.clear();
+  lesson.in_space.clear();
   lesson.expect = {};
   lesson.expect.stop =
       name_of(gjk::StopReason::repeated_support);  // saving writes what it comes to

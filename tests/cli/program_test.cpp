@@ -327,6 +327,27 @@ TEST(Program, AnExportThatIsKilledLeavesWholeFilesAndIsTakenUpAgain) {
   EXPECT_GT(killed, 2);
 }
 
+TEST(Program, ExportsEachCaseOfAFileAsALesson) {
+  const test::TemporaryFolder folder;
+  const std::string cases = folder.file("mine.json",
+                                        R"({"why": "A point apart", "a": [[0, 0]], "b": [[3, 4]]}
+{"name": "in space", "dimension": 3, "a": [[0, 0, 0]], "b": [[1, 2, 2], [3, 2, 2]]})");
+  const auto out = folder.path() / "out";
+  EXPECT_EQ(kDone,
+            run_program("export " + cases + " --size 320x180 --out " + out.string()).exit_code);
+  EXPECT_TRUE(std::filesystem::exists(out / "mine-0001.png"));
+  EXPECT_TRUE(std::filesystem::exists(out / "mine-2-0001.png"));
+  const Ran words = run_program("transcript " + cases);
+  EXPECT_TRUE(holds(words.out, "A point apart.")) << words.out;
+  EXPECT_TRUE(holds(words.out, "in space")) << words.out;
+
+  const std::string huge = folder.file("huge.json", R"({"a": [[1e300, 0]], "b": [[3, 4]]})");
+  const Ran refused = run_program("export " + huge + " --out " + (folder.path() / "no").string());
+  EXPECT_EQ(kProblem, refused.exit_code);
+  EXPECT_TRUE(holds(refused.err, huge + ":1:")) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "no"));
+}
+
 TEST(Program, RefusesOptionsThatAFormatDoesNotTake) {
   const test::TemporaryFolder folder;
   const std::string out = "export segment-closest --out " + (folder.path() / "out").string();

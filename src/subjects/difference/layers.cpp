@@ -45,10 +45,11 @@ class CloudDots {
     taken_.resize(columns_ * (static_cast<std::size_t>(size.y()) + 1));
   }
 
+  [[nodiscard]] bool have_room() const { return radius_ >= kRoom; }
+
   /// In space, where there is room, at its depth.
   void draw(const Eigen::Vector3d& z, gjk::VertexPair pair) {
-    constexpr double kRoom = 2.0;  // radius
-    if (!taken_.empty() || radius_ < kRoom) return draw(scene_.at(z), pair);
+    if (!have_room()) return draw(scene_.at(z), pair);
     scene_.disk_in_space("cloud.point", z, radius_,
                          {Subject::Kind::difference_vertex, pair.x, pair.y});
   }
@@ -82,6 +83,7 @@ class CloudDots {
   }
 
   static constexpr double kLeast = 1.3;  // radius
+  static constexpr double kRoom = 2.0;   // radius
   static constexpr double kCell = 5.0;
   SceneBuilder& scene_;
   double radius_;
@@ -97,6 +99,8 @@ void difference_in_space(SceneBuilder& scene, bool wants_hull, bool wants_cloud)
   }
   if (!wants_cloud) return;
   CloudDots dots(scene, scene.mapped(z.points), z.points.size());
+  // Points that cannot be told apart would hide the solid that they make.
+  if (wants_hull && !dots.have_room()) return;
   for (std::size_t i = 0; i < z.points.size(); ++i) dots.draw(z.points[i], z.pairs[i]);
 }
 
