@@ -337,7 +337,6 @@ class App {
   /// The same in a thread of its own: large shapes take their time, and a drag would wait.
   void keep_unsaved_beside();
   void end_keeping();
-  void say_not_kept(const std::runtime_error& error);
   void offer_left_work();
   void show_left_work();
   void discard_left_work(bool is_discarded);
