@@ -50,8 +50,8 @@ Expectation outcome_of(const LessonRun& run) {
   for (const WideStep& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;
     const gjk::VertexPair pair = step.after.support.pair;
-    const std::string& y = run.lesson.y().vertex_names[static_cast<std::size_t>(pair.y)];
-    const std::string& x = run.lesson.x().vertex_names[static_cast<std::size_t>(pair.x)];
+    const std::string& y = run.lesson.y().vertex_names[pair.y];
+    const std::string& x = run.lesson.x().vertex_names[pair.x];
     expect.supports->push_back(run.point_query() ? y : fmt::format("{}-{}", y, x));
   }
   return expect;
@@ -405,7 +405,7 @@ void App::export_frames(ExportOptions options, bool all) {
   if (!all) {
     int step = 0;
     for (int i = 0; i <= session_.index(); ++i)
-      step += session_.run().frames[static_cast<std::size_t>(i)].question < 0 ? 1 : 0;
+      step += session_.run().frames[i].question < 0 ? 1 : 0;
     options.first_step = options.last_step = std::max(step, 1);
   }
   options.out_dir = fs::absolute(options.out_dir).lexically_normal();

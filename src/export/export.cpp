@@ -410,7 +410,7 @@ class Exporter {
           add_image(way, step, picture, ++between);
         add_image(way, step, way.pictures[at]);
       }
-      write_caption(file, way.texts[static_cast<std::size_t>(step - 1)]);
+      write_caption(file, way.texts[step - 1]);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
     return true;
@@ -431,7 +431,7 @@ class Exporter {
       return;
     }
     may_write(file);
-    const FrameText& text = way.texts[static_cast<std::size_t>(step - 1)];
+    const FrameText& text = way.texts[step - 1];
     writer_.submit({picture, file, way.run.lesson.title, alternative_text(text),
                     record_text(way.record(key, step, step))});
   }
@@ -458,8 +458,8 @@ class Exporter {
   [[nodiscard]] std::vector<Picture> on_the_way(const LessonOnItsWay& way, int step) const {
     std::vector<Picture> out;
     if (step == way.steps.first) return out;
-    const Picture& from = way.pictures[static_cast<std::size_t>(step - 2)];
-    const Picture& to = way.pictures[static_cast<std::size_t>(step - 1)];
+    const Picture& from = way.pictures[step - 2];
+    const Picture& to = way.pictures[step - 1];
     const auto count = std::lround(kTweenSeconds * options_.fps);
     for (long i = 1; i < count; ++i) {
       out.push_back(tween(from, to, static_cast<double>(i) / static_cast<double>(count)));
@@ -531,7 +531,7 @@ class Exporter {
         if (!add_turning(*turntable, way.steps, step, seconds, show)) return false;
       } else {
         for (const Picture& picture : on_the_way(way, step)) show(picture, 1.0 / options_.fps);
-        show(way.pictures[static_cast<std::size_t>(step - 1)], seconds);
+        show(way.pictures[step - 1], seconds);
       }
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
@@ -601,8 +601,8 @@ class Exporter {
                             {},
                             {}};
     for (int step = way.steps.first; step <= way.steps.last; ++step) {
-      exported.frames.push_back({step, file_of(way, step).filename().string(),
-                                 std::move(way.texts[static_cast<std::size_t>(step - 1)])});
+      exported.frames.push_back(
+          {step, file_of(way, step).filename().string(), std::move(way.texts[step - 1])});
     }
     if (options_.index && lesson.act == "course-map") {
       EffectGraph effects(way.run);

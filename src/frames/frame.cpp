@@ -770,7 +770,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
   LessonPictures pictures(run, effects, fonts, page);
   std::vector<FramePicture> out;
   for (int i = 0; i < static_cast<int>(run.frames.size()); ++i)
-    out.push_back({pictures.picture(i), pictures.texts()[static_cast<std::size_t>(i)]});
+    out.push_back({pictures.picture(i), pictures.texts()[i]});
   return out;
 }
 

@@ -52,6 +52,8 @@ struct Sight {
   Camera camera;
   double aspect = 1.0;  ///< Width over height of the card that it was set in.
 };
+/// One for each view; nothing for the lesson's own camera.
+using CameraOverrides = std::vector<std::optional<CameraOverride>>;
 
 /// The pictures of a lesson, each built when it is asked for. Labels of things that move keep their
 /// place from one picture asked for to the next.
@@ -83,7 +85,7 @@ class LessonPictures {
   /// `index` is that of the frame in LessonRun::frames. Vertices pointed at are named in any case;
   /// all else stays where it is.
   [[nodiscard]] Picture picture(int index, std::span<const Subject> pointed = {}) {
-    return picture(index, texts_[static_cast<std::size_t>(index)], pointed);
+    return picture(index, texts_[index], pointed);
   }
   /// With other words than those of the frame.
   [[nodiscard]] Picture picture(int index, const FrameText& text,

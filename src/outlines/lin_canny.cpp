@@ -5,7 +5,7 @@
 namespace models {
 namespace {
 
-const Point& at(const Ring& ring, int i) { return ring.points[static_cast<std::size_t>(i)]; }
+const Point& at(const Ring& ring, int i) { return ring.points[i]; }
 
 /// The feature as a segment, of no length for a vertex; outline and index as in the ring.
 Segment segment_of(const Ring& ring, const RingFeature& f) {

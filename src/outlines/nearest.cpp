@@ -201,7 +201,7 @@ int winding(const Point& point, const Segment& s) {
 int winding(const Point& point, const Model& model) {
   int around = 0;
   for (const Segment& s : model.segments) {
-    if (model.outlines[static_cast<std::size_t>(s.outline)].closed) around += winding(point, s);
+    if (model.outlines[s.outline].closed) around += winding(point, s);
   }
   return around;
 }
@@ -262,7 +262,7 @@ Rational distance_sq(const Nearest& pair) {
 
 Feature feature_of(const Segment& segment, Spot spot, const Model& model) {
   if (spot == Spot::between) return {false, segment.outline, segment.index};
-  const auto points = model.outlines[static_cast<std::size_t>(segment.outline)].points.size();
+  const auto points = model.outlines[segment.outline].points.size();
   const int index = segment.index + (spot == Spot::end ? 1 : 0);
   return {true, segment.outline, index == static_cast<int>(points) ? 0 : index};
 }

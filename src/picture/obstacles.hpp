@@ -113,7 +113,7 @@ class Field {
     }
   };
 
-  [[nodiscard]] Item& item(int index) { return items_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] Item& item(int index) { return items_[index]; }
   /// The index of a shape, which is added if it is new.
   [[nodiscard]] int index_of(const Shape& shape) {
     const auto [known, is_new] = known_.try_emplace(shape, static_cast<int>(items_.size()));

@@ -214,7 +214,7 @@ void draw_start(Draws& draws, const Kind& kind, Lesson& lesson) {
   const int of_x = static_cast<int>(lesson.x().vertices.size());
   const int of_y = static_cast<int>(lesson.y().vertices.size());
   for (int i = 0; i < kind.start; ++i) {
-    gjk::VertexPair& pair = start.pairs[static_cast<std::size_t>(i)];
+    gjk::VertexPair& pair = start.pairs[i];
     if (of_x == 1 && of_y == kind.start) {
       pair = {0, i};
       continue;
@@ -338,7 +338,7 @@ bool is_far_from_ties(const Kind& kind, const Lesson& lesson, const Decision& fo
 bool has_choices(const Kind& kind, const LessonRun& run) {
   const WideTrace& trace = trace_of(run);
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
-    const WideStep& step = trace.steps[static_cast<std::size_t>(i)];
+    const WideStep& step = trace.steps[i];
     const WideSimplex& simplex = step.after.simplex;
     if (step.phase == Phase::direction && simplex.count > 1 && step.after.p_sq == 0.0) return true;
     if (step.phase == Phase::support && kind.on_paper == OnPaper::run &&
@@ -544,7 +544,7 @@ std::vector<Task> make_tasks(int chapter, int count, std::uint64_t seed) {
       for (const Kind& kind : kinds) order.push_back(&kind);
     }
     const auto at = draws.among(0, static_cast<int>(order.size()) - 1);
-    tasks.push_back(make_task(*order[static_cast<std::size_t>(at)], draws.next()));
+    tasks.push_back(make_task(*order[at], draws.next()));
     order.erase(order.begin() + at);
   }
   return tasks;

@@ -493,8 +493,7 @@ void Session::put(std::shared_ptr<Shown> shown) {
   const bool first = !shown_;
   const bool was_answer = !first && index_ == answering_index(run());
   const bool was_trail = !first && is_trail(frame());
-  const Moment was =
-      first || was_answer || was_trail ? Moment{} : moments()[static_cast<std::size_t>(index_)];
+  const Moment was = first || was_answer || was_trail ? Moment{} : moments()[index_];
   shown_ = std::move(shown);
   index_ = first        ? 0
            : was_answer ? answering_index(run())
@@ -511,7 +510,7 @@ void Session::lay_out(LabelScope scope) {
 
 const LessonRun& Session::run() const { return shown_->run; }
 int Session::frame_count() const { return static_cast<int>(shown_->run.frames.size()); }
-const Frame& Session::frame() const { return shown_->run.frames[static_cast<std::size_t>(index_)]; }
+const Frame& Session::frame() const { return shown_->run.frames[index_]; }
 EffectGraph& Session::effects() { return shown_->effects; }
 
 std::vector<Session::Moment> Session::moments() const {
@@ -536,10 +535,9 @@ int Session::find(const Moment& wanted) const {
   const std::vector<Moment> all = moments();
   int best = 0;
   for (int i = 1; i < frame_count(); ++i) {
-    const Moment& moment = all[static_cast<std::size_t>(i)];
-    if (run().frames[static_cast<std::size_t>(i)].question >= 0) continue;
-    if (key(moment) <= key(wanted) && key(moment) >= key(all[static_cast<std::size_t>(best)]))
-      best = i;
+    const Moment& moment = all[i];
+    if (run().frames[i].question >= 0) continue;
+    if (key(moment) <= key(wanted) && key(moment) >= key(all[best])) best = i;
   }
   return best;
 }
@@ -559,7 +557,7 @@ bool Session::step(int by) {
 
 bool Session::step_iteration(int by) {
   const auto group = [&](int i) {
-    const Frame& frame = run().frames[static_cast<std::size_t>(i)];
+    const Frame& frame = run().frames[i];
     return std::pair(frame.run, run().info(frame).iteration);
   };
   int to = index_;
@@ -577,7 +575,7 @@ bool Session::step_iteration(int by) {
 bool Session::go_to_next(std::string_view phase) {
   for (int k = 1; k <= frame_count(); ++k) {
     const int i = (index_ + k) % frame_count();
-    const Frame& frame = run().frames[static_cast<std::size_t>(i)];
+    const Frame& frame = run().frames[i];
     if (frame.question >= 0 || run().info(frame).phase != phase) continue;
     go_to(i > index_ ? std::min(i, last_told()) : i);
     return true;
@@ -690,11 +688,10 @@ FrameText Session::told() const {
     const Answer* answer = given(i);
     if (answer) ++count;
     if (answer && !answer->is_right()) all_right = false;
-    verdicts +=
-        verdict(*texts()[static_cast<std::size_t>(i)].question, answer, Numbers(lesson_)) + " ";
+    verdicts += verdict(*texts()[i].question, answer, Numbers(lesson_)) + " ";
   }
   if (count == 0) return text;
-  const std::string& reason = texts()[static_cast<std::size_t>(first)].question->reason;
+  const std::string& reason = texts()[first].question->reason;
   text.is_right = all_right;
   if (asks) {
     verdicts.pop_back();
@@ -708,8 +705,7 @@ FrameText Session::told() const {
 
 int Session::last_told() const {
   int at = index_;
-  while (at + 1 < frame_count() && !(texts()[static_cast<std::size_t>(at)].question && !given(at)))
-    ++at;
+  while (at + 1 < frame_count() && !(texts()[at].question && !given(at))) ++at;
   return at;
 }
 
@@ -762,8 +758,7 @@ const Picture& Session::picture() {
   for (int i = first_told(); i <= index_; ++i) {
     const Answer* answer = given(i);
     if (answer != nullptr) {
-      add_verdict(*picture_, run(), views(), *texts()[static_cast<std::size_t>(i)].question,
-                  *answer);
+      add_verdict(*picture_, run(), views(), *texts()[i].question, *answer);
     }
   }
   return *picture_;
@@ -812,7 +807,7 @@ Subject Session::vertex_near(const Point& page, double reach) {
   return nearest;
 }
 
-const FrameText& Session::text() const { return texts()[static_cast<std::size_t>(index_)]; }
+const FrameText& Session::text() const { return texts()[index_]; }
 
 const std::vector<FrameText>& Session::texts() const { return shown_->pictures.texts(); }
 

@@ -309,7 +309,7 @@ class Reduction {
 template <int D>
 FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& last) {
   FamilyTrial out;
-  out.family = families::kFamilyNames[static_cast<std::size_t>(family)];
+  out.family = families::kFamilyNames[family];
   out.dimension = D;
   families::Source random(options.seed + static_cast<std::uint64_t>(family));
   std::vector<Asked<D>> cases;
@@ -364,7 +364,7 @@ std::string try_program(const TrialOptions& options,
     if (options.dimension != 0 && options.dimension != dimension) continue;
     const int count = dimension == 2 ? families::kFamilyCount : families::kSpaceFamilyCount;
     for (int i = 0; i < count; ++i) {
-      const std::string name(families::kFamilyNames[static_cast<std::size_t>(i)]);
+      const std::string name(families::kFamilyNames[i]);
       const auto& wanted = options.families;
       if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end())
         continue;

@@ -136,13 +136,13 @@ struct Study {
     const StudyFrame shown = study_frame(session().run(), session().frame()).value_or(StudyFrame{});
     if (shown.stage != StudyStage::mark)
       return app.say("this frame introduces no configuration of a study");
-    const StudyMark& mark = study->marks[static_cast<std::size_t>(shown.marks - 1)];
+    const StudyMark& mark = study->marks[shown.marks - 1];
     open_worst_run(study->dot(mark.configuration));
   }
 
   bool click(const Subject& subject) {
     if (subject.kind != Subject::Kind::study_dot) return false;
-    open_worst_run(dots()[static_cast<std::size_t>(subject.x)]);
+    open_worst_run(dots()[subject.x]);
     return true;
   }
 

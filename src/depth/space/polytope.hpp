@@ -148,7 +148,7 @@ void add_corner(Polytope<R>& polytope, int first, const gjk::SupportPoint<R, 3>&
   const int base = static_cast<int>(polytope.faces.size());
   const int count = static_cast<int>(polytope.ring.size());
   for (int k = 0; k < count; ++k) {
-    const HorizonEdge& edge = polytope.ring[static_cast<std::size_t>(k)];
+    const HorizonEdge& edge = polytope.ring[k];
     const int added = add_face(polytope, {edge.from, edge.to, apex});
     polytope.faces[added].neighbours = {edge.beyond, k + 1 < count ? added + 1 : base,
                                         k > 0 ? added - 1 : base + count - 1};

@@ -45,7 +45,7 @@ class PiecesTrace final : public OutlineTrace {
 template <class Corners>
 [[nodiscard]] std::string corners_name(const LessonShape& shape, const Corners& corners) {
   std::string name;
-  for (const int corner : corners) name += shape.vertex_names[static_cast<std::size_t>(corner)];
+  for (const int corner : corners) name += shape.vertex_names[corner];
   return name;
 }
 

@@ -36,7 +36,7 @@ std::optional<double> Shown::distance(const depth::Edge<double>& edge) const {
 std::string ends(const LessonRun& run, const depth::State<double>& state,
                  const depth::Edge<double>& edge) {
   const auto name = [&](int corner) {
-    return run.pair_name(state.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
+    return run.pair_name(state.polygon.corners[corner].point.pair);
   };
   return edge.from == edge.to ? name(edge.from)
                               : fmt::format("{} to {}", name(edge.from), name(edge.to));
@@ -162,7 +162,7 @@ bool is_at_answer(const LessonRun& run, const Frame& frame) {
 }
 
 std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   if (frame.step < 0) return "start";
   if (is_at_answer(run, frame))
     return fmt::format("answer · {} of {}", index + 1, run.frames.size());
@@ -189,7 +189,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
 void reach(const LessonRun& run, int index, ViewKind view, Eigen::AlignedBox2d& seen) {
   const DepthResult& result = *depth_result(run, index);
   if (view != ViewKind::world || !result.translation.allFinite()) return;
-  for (const Eigen::Vector3d& vertex : run.runs[static_cast<std::size_t>(index)].x().world)
+  for (const Eigen::Vector3d& vertex : run.runs[index].x().world)
     seen.extend(in_plane(vertex + result.translation));
 }
 

@@ -257,7 +257,7 @@ class ToldOf final : public Told {
   [[nodiscard]] const Trace& trace() const { return trace_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(trace_.steps.size()); }
   [[nodiscard]] StepInfo info(int step) const override {
-    const auto& shown = trace_.steps[static_cast<std::size_t>(step)];
+    const auto& shown = trace_.steps[step];
     return {shown.iteration, name_of(shown.phase),
             shown.after.stop != depth::StopReason::running || is_event(shown.record)};
   }

@@ -39,7 +39,7 @@ class Told : public OutlineTrace {
   [[nodiscard]] const SearchTold& search() const { return search_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(search_.trace.steps.size()); }
   [[nodiscard]] StepInfo info(int index) const override {
-    const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
+    const models::SearchStep& step = search_.trace.steps[index];
     return {static_cast<int>(step.after.visits), name_of(step.phase),
             is_candidate(step) || step.after.stop != SearchStop::running};
   }
@@ -56,7 +56,7 @@ class Told : public OutlineTrace {
     return refusal ? std::string_view() : name_of(search_.trace.result.stop);
   }
   [[nodiscard]] Json step_json(const Lesson&, int index) const override {
-    const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
+    const models::SearchStep& step = search_.trace.steps[index];
     const models::SearchState& after = step.after;
     switch (step.phase) {
       case SearchPhase::visit:
@@ -100,7 +100,7 @@ class Told : public OutlineTrace {
     return search_.options.goal == Goal::distance && step.record.better;
   }
   [[nodiscard]] Json node_json(bool of_x, int index) const {
-    const TreeNode& node = search_.tree(of_x)[static_cast<std::size_t>(index)];
+    const TreeNode& node = search_.tree(of_x)[index];
     return {{"node", index}, {"segments", node.count}};
   }
 

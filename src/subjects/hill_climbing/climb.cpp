@@ -30,10 +30,10 @@ int farther(const Vector3d& d, const Vector3d& a, const Vector3d& b) {
 
 Walk walk(std::span<const Vector3d> points, const Neighbours& neighbours, const Vector3d& d,
           int from) {
-  const auto at = [&](int i) -> const Vector3d& { return points[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) -> const Vector3d& { return points[i]; };
   Walk out{d, {}};
   std::vector<bool> met(points.size(), false);
-  met[static_cast<std::size_t>(from)] = true;
+  met[from] = true;
   for (int now = from; now >= 0; now = out.looks.back().next) {
     Look look{now, {}, -1};
     int best = now;
@@ -51,7 +51,7 @@ Walk walk(std::span<const Vector3d> points, const Neighbours& neighbours, const 
 
 int start_at(const Neighbours& neighbours, int wanted) {
   const auto is_vertex = [](const std::vector<int>& ends) { return !ends.empty(); };
-  if (is_vertex(neighbours[static_cast<std::size_t>(wanted)])) return wanted;
+  if (is_vertex(neighbours[wanted])) return wanted;
   const auto first = std::find_if(neighbours.begin(), neighbours.end(), is_vertex);
   return first == neighbours.end() ? wanted : static_cast<int>(first - neighbours.begin());
 }

@@ -81,13 +81,10 @@ Json ClimbTrace::json(const Lesson& lesson, const PositionedRun& run) const {
     const Look& at = look(i);
     const LessonShape& shape = lesson.bodies[body_of(of)];
     const std::vector<Vector3d>& points = run.bodies[body_of(of)].world;
-    const auto name = [&](int vertex) {
-      return shape.vertex_names[static_cast<std::size_t>(vertex)];
-    };
+    const auto name = [&](int vertex) { return shape.vertex_names[vertex]; };
     const auto product = [&](int vertex) {
       return Json{{"vertex", name(vertex)},
-                  {"value", fields::number(gjk::dot<double, 3>(
-                                of.walk.d, points[static_cast<std::size_t>(vertex)]))}};
+                  {"value", fields::number(gjk::dot<double, 3>(of.walk.d, points[vertex]))}};
     };
     Json step = {{"phase", info(i).phase}, {"iteration", of.iteration},
                  {"of", shape.name},       {"d", fields::point(of.walk.d)},

@@ -8,7 +8,7 @@ namespace {
 
 void issues_frames(LessonRun& run, int index) {
   run.frames.push_back({.run = index});
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   if (last >= 0) run.frames.push_back({.run = index, .step = last});
 }
 

@@ -16,7 +16,7 @@ Shown::Shown(const LessonRun& run, const Frame& frame)
 
 std::vector<Border> Shown::borders(bool of_x) const {
   const models::RingFeature& at = feature(of_x);
-  const auto corner = [&](int i) { return ring(of_x).points[static_cast<std::size_t>(i)]; };
+  const auto corner = [&](int i) { return ring(of_x).points[i]; };
   const Eigen::Vector2d a = corner(at.index);
   const int next = ring(of_x).next(at.index);
   const Eigen::Vector2d way = corner(next) - a;

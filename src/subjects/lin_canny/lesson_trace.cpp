@@ -34,7 +34,7 @@ class Told : public AlgorithmTrace {
   [[nodiscard]] const WalkTold& walk() const { return walk_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(walk_.trace.steps.size()); }
   [[nodiscard]] StepInfo info(int index) const override {
-    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
+    const models::WalkStep& step = walk_.trace.steps[index];
     const bool is_swap = step.phase == WalkPhase::swap;
     return {step.after.swaps + (is_swap ? 0 : 1), name_of(step.phase),
             is_swap || step.after.stop != WalkStop::running};
@@ -64,7 +64,7 @@ class Told : public AlgorithmTrace {
 
  private:
   [[nodiscard]] Json step_json(const Lesson& lesson, int index) const {
-    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
+    const models::WalkStep& step = walk_.trace.steps[index];
     const StepInfo at = info(index);
     Json out = {{"phase", at.phase},
                 {"iteration", at.iteration},
@@ -166,9 +166,7 @@ std::string feature_name(const Lesson& lesson, const models::WalkQuery& query, b
                          const models::RingFeature& feature) {
   const LessonShape& shape = of_x ? lesson.x() : lesson.y();
   const models::Ring& ring = of_x ? query.a : query.b;
-  const auto name = [&](int i) {
-    return shape.vertex_names[static_cast<std::size_t>(ring.index[static_cast<std::size_t>(i)])];
-  };
+  const auto name = [&](int i) { return shape.vertex_names[ring.index[i]]; };
   if (feature.is_vertex) return fmt::format("vertex {} of {}", name(feature.index), shape.name);
   return fmt::format("edge {}{} of {}", name(feature.index), name(ring.next(feature.index)),
                      shape.name);
@@ -185,7 +183,7 @@ const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
 
 const WalkTold* walk_told(const LessonRun& run, int index) {
   if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;
-  return &walk_of(*run.algorithm_traces[static_cast<std::size_t>(index)]);
+  return &walk_of(*run.algorithm_traces[index]);
 }
 
 }  // namespace gjkscope

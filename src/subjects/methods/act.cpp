@@ -44,8 +44,7 @@ void add_frames(LessonRun& run, int index) {
 }
 
 std::string position(const LessonRun& run, int index) {
-  return is_sum(run.frames[static_cast<std::size_t>(index)]) ? "all positions"
-                                                             : position_on_path(run, index);
+  return is_sum(run.frames[index]) ? "all positions" : position_on_path(run, index);
 }
 
 Tick tick(const LessonRun&, const Frame& frame) {
@@ -163,7 +162,7 @@ void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) 
 
 void question(const Story& story, FrameText& text) {
   FrameQuestion& asked = text.question.emplace();
-  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  asked.ask = story.run.asked(story.frame).ask;
   if (asked.ask == kAskFront.name) {
     ask_about_front(told(story.run, story.frame), text, asked);
   } else if (asked.ask != kAskMemory.name) {

@@ -128,8 +128,7 @@ void path(SceneBuilder& scene) {
       scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
     for (const Point& point : points) scene.disk("path.point", point, 3.0);
     end_of_way(scene, points);
-    if (!scene.run.point_query())
-      scene.disk("path.now", points[static_cast<std::size_t>(scene.frame.run)], kPathNow);
+    if (!scene.run.point_query()) scene.disk("path.now", points[scene.frame.run], kPathNow);
   }
 }
 

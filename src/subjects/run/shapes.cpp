@@ -44,7 +44,7 @@ void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<V
       const std::vector<Vector2d> corners(world.begin() + first, world.begin() + first + count);
       if ((signed_area(corners) < 0.0) != holes) continue;
       for (const auto& [a, b, c] : triangles(corners)) {
-        const auto at = [&](int i) { return scene.at(corners[static_cast<std::size_t>(i)]); };
+        const auto at = [&](int i) { return scene.at(corners[i]); };
         scene.area(holes ? "hole" : role + ".fill", {at(a), at(b), at(c)},
                    holes ? Subject{} : whole);
       }
@@ -62,7 +62,7 @@ std::vector<bool> vertices_of_run(const SceneBuilder& scene, bool is_x, std::siz
   std::vector<bool> met(count, false);
   const auto meet = [&](const WideState& state) {
     const auto note = [&](const WideVertex& vertex) {
-      met[static_cast<std::size_t>(is_x ? vertex.pair.x : vertex.pair.y)] = true;
+      met[is_x ? vertex.pair.x : vertex.pair.y] = true;
     };
     for (int i = 0; i < state.simplex.count; ++i) note(state.simplex.vertices[i]);
   };
@@ -120,8 +120,7 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
     for (; count < wanted && !candidates.empty(); ++count) {
       const auto farthest = std::max_element(to_named.begin(), to_named.end());
       if (scene.map.scale() * std::sqrt(*farthest) < kNamesApart) return;
-      const auto next = static_cast<std::size_t>(
-          candidates[static_cast<std::size_t>(farthest - to_named.begin())]);
+      const auto next = static_cast<std::size_t>(candidates[farthest - to_named.begin()]);
       named[next] = Named::with_room;
       measure_from(next);
     }
@@ -132,7 +131,7 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
   const std::vector<int> corners = scene.map.is_of_space()
                                        ? scene.effects.get<ShapeSolids>(scene.frame)[body].vertices
                                        : convex_hull(in_plane(scene.positioned.bodies[body].world));
-  for (const int corner : corners) on_hull[static_cast<std::size_t>(corner)] = true;
+  for (const int corner : corners) on_hull[corner] = true;
   for (const bool of_hull : {true, false}) {
     if (!of_hull && !has_room_inside) break;
     std::vector<int> candidates;
@@ -299,7 +298,7 @@ void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
     return;
   const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
   const std::string& name = scene.run.lesson.bodies[is_x ? 0 : 1].vertex_names[index];
-  const Point at = scene.at(world[static_cast<std::size_t>(index)]);
+  const Point at = scene.at(world[index]);
   if (!has_mark) scene.disk(role + ".vertex", at, kNamedRadius, vertex);
   scene.out.moving_labels.push_back(scene.label("vertex:" + name, name, role + ".label",
                                                 type::kVertex, at, kSimplexRadius,

@@ -175,7 +175,7 @@ std::string tied(const Story& story, const std::vector<gjk::ScanEntry<double>>& 
   std::vector<std::string> names;
   for (const auto& entry : scan) {
     if (entry.value == largest) {
-      names.push_back(story.run.lesson.y().vertex_names[static_cast<std::size_t>(entry.index)]);
+      names.push_back(story.run.lesson.y().vertex_names[entry.index]);
     }
   }
   return names.size() < 2 ? std::string() : and_list(std::move(names));
@@ -193,12 +193,12 @@ std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEnt
   for (const auto& entry : scan) {
     if (entry.index != kept &&
         std::abs(entry.value - of_kept->value) <= kSame * std::abs(of_kept->value))
-      names.push_back(shape.vertex_names[static_cast<std::size_t>(entry.index)]);
+      names.push_back(shape.vertex_names[entry.index]);
   }
   if (names.empty()) return {};
   const bool is_one = names.size() == 1;
   return fmt::format(" In {}, {} lie{} as far as {}.", shape.name, and_list(std::move(names)),
-                     is_one ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
+                     is_one ? "s" : "", shape.vertex_names[kept]);
 }
 
 /// Says how a support point that is not in the simplex relates to it.

@@ -116,10 +116,9 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
   const int dimension = panel.run.lesson.dimension;
   const std::string_view axes = "xyz";
   for (int axis = 0; axis < dimension; ++axis)
-    coordinate(fmt::format("P.{}", axes[static_cast<std::size_t>(axis)]), Phase::closest, p, axis);
+    coordinate(fmt::format("P.{}", axes[axis]), Phase::closest, p, axis);
   for (int axis = 0; axis < dimension; ++axis)
-    coordinate(fmt::format("d.{}", axes[static_cast<std::size_t>(axis)]), Phase::direction, d,
-               axis);
+    coordinate(fmt::format("d.{}", axes[axis]), Phase::direction, d, axis);
   if (dimension == 2) {
     row("towards", known(Phase::direction), d, [](const RunColumn&, const Eigen::Vector3d& along) {
       return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
