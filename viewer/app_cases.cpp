@@ -117,7 +117,7 @@ std::optional<Lesson> App::lesson_around(const ReadCase& read, const std::string
   const fs::path file = opening_lesson(paths_.share);
   LoadedLesson loaded = parse_lesson(read_whole(file), file, vocabulary());
   if (!loaded.lesson) return std::nullopt;
-  Lesson lesson = edit::told_of(*std::move(loaded.lesson), read);
+  Lesson lesson = edit::with_shapes(*std::move(loaded.lesson), read);
   lesson.id = name;
   lesson.path.clear();
   lesson.title = name;

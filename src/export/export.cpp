@@ -251,12 +251,12 @@ class Turntable {
   Turntable(const LessonRun& run, const Fonts& fonts, const Page& page)
       : page_(page), effects_(run), pictures_(run, effects_, fonts, page) {
     for (const LessonPictures::ShownView& view : pictures_.views())
-      sights_.push_back(Sight{view.camera, view.card.size().x() / view.card.size().y()});
+      cameras_.push_back(CameraOverride{view.camera, view.card.size().x() / view.card.size().y()});
   }
   /// The lesson's own eye has walked around by so many degrees.
   void turn_to(double degrees) {
-    std::vector<std::optional<Sight>> turned = sights_;
-    for (std::optional<Sight>& sight : turned) sight->camera.eye->azimuth += degrees;
+    CameraOverrides turned = cameras_;
+    for (std::optional<CameraOverride>& seen : turned) seen->camera.eye->azimuth += degrees;
     pictures_.lay_out(page_, turned, LabelScope::frame, pictures_.is_stacked());
   }
   [[nodiscard]] Picture picture(int index) { return pictures_.picture(index); }
@@ -265,7 +265,7 @@ class Turntable {
   Page page_;
   EffectGraph effects_;
   LessonPictures pictures_;
-  std::vector<std::optional<Sight>> sights_;
+  CameraOverrides cameras_;
 };
 
 class Exporter {

@@ -46,9 +46,9 @@ struct Page {
 /// place from frame to frame; or the first frame drawn alone, which is quicker.
 enum class LabelScope { lesson, frame };
 
-/// A camera in place of the lesson's. What it shows in a card of this aspect stays in sight when
-/// the card gets another aspect.
-struct Sight {
+/// A camera in place of the lesson's. A card of another aspect still shows everything that it shows
+/// in a card of this aspect.
+struct CameraOverride {
   Camera camera;
   double aspect = 1.0;  ///< Width over height of the card that it was set in.
 };
@@ -73,7 +73,7 @@ class LessonPictures {
   /// The same frames on another page, or seen by other cameras than the lesson's: `sights` has one
   /// for each view, nothing for the lesson's own. Nothing is run again. `stacked`: whether views
   /// stand one below the other, on a page that has room for both; without, as suits the lesson.
-  void lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights, LabelScope scope,
+  void lay_out(const Page& page, const CameraOverrides& cameras, LabelScope scope,
                std::optional<bool> stacked = std::nullopt);
   [[nodiscard]] bool is_stacked() const { return stacked_; }
   /// While frames are laid out one by one (LabelScope::frame), the panel explains what `other` has

@@ -36,7 +36,7 @@ int toward(const Point& a, const Point& b, const Ring& other, const RingFeature&
   // dot(b - a, left normal of qr) = cross(qr, b - a); where a lies right of qr, the foot is to the
   // left.
   const int side = turn(q, r, a);
-  const int left = alike({-r.y(), r.x()}, {-q.y(), q.x()}, b, a);
+  const int left = dot_sign({-r.y(), r.x()}, {-q.y(), q.x()}, b, a);
   return side < 0 ? left : -left;
 }
 

@@ -176,12 +176,12 @@ int turn(const Point& a, const Point& b, const Point& c) {
                           [&] { return gjk::cross(exact_way(a, b), exact_way(a, c)); });
 }
 
-int alike(const Point& a, const Point& b, const Point& c, const Point& d) {
+int dot_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
   return sign_of_products({b.x(), a.x()}, {d.x(), c.x()}, 1, {b.y(), a.y()}, {d.y(), c.y()},
                           [&] { return gjk::dot(exact_way(a, b), exact_way(c, d)); });
 }
 
-int along(const Point& a, const Point& b, const Point& p) { return alike(a, b, a, p); }
+int along(const Point& a, const Point& b, const Point& p) { return dot_sign(a, b, a, p); }
 
 bool meet(const Segment& a, const Segment& b) {
   const bool boxes_meet = (a.a.cwiseMin(a.b).array() <= b.a.cwiseMax(b.b).array()).all() &&

@@ -48,7 +48,7 @@ void Scene::append(const Scene& more) {
   add(obstacles.grounds, more.obstacles.grounds);
 }
 
-std::vector<Point> told_apart(const std::vector<Point>& points) {
+std::vector<Point> separate_points(const std::vector<Point>& points) {
   constexpr std::size_t kFew = 256;  // all of which are drawn
   constexpr double kApart = 0.5;
   if (points.size() <= kFew) return points;

@@ -272,7 +272,7 @@ void keep_what_is_shown(Lesson& lesson) {
 }  // namespace
 
 template <int D>
-Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
+Lesson with_shapes(Lesson lesson, const CaseIn<D>& shapes) {
   const Lesson plain = lesson_of(shapes, "", lesson.scalar);
   lesson.x() = plain.x();
   lesson.y() = plain.y();
@@ -306,15 +306,15 @@ Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
   return lesson;
 }
 
-template Lesson told_of(Lesson lesson, const CaseIn<2>& shapes);
-template Lesson told_of(Lesson lesson, const CaseIn<3>& shapes);
+template Lesson with_shapes(Lesson lesson, const CaseIn<2>& shapes);
+template Lesson with_shapes(Lesson lesson, const CaseIn<3>& shapes);
 
-Lesson told_of(Lesson lesson, const ReadCase& read) {
-  return read.in_space ? told_of(std::move(lesson), *read.in_space)
-                       : told_of(std::move(lesson), *read.value);
+Lesson with_shapes(Lesson lesson, const ReadCase& read) {
+  return read.in_space ? with_shapes(std::move(lesson), *read.in_space)
+                       : with_shapes(std::move(lesson), *read.value);
 }
 
-Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
+Lesson with_act(Lesson lesson, const Algorithm& algorithm) {
   const std::span<const Act* const> acts = registered_acts();
   const Act& act = **std::find_if(acts.begin(), acts.end(),
                                   [&](const Act* each) { return each->algorithm == &algorithm; });
@@ -347,7 +347,7 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   return lesson;
 }
 
-Lesson told_twice(Lesson lesson, std::optional<ScalarKind> beside) {
+Lesson with_second_run(Lesson lesson, std::optional<ScalarKind> beside) {
   const bool has_listing = lesson.has_block(blocks::kPseudocode.name);
   const std::string block(blocks::kTwoRuns.name);
   const std::string effect(SecondRun::kName);

@@ -61,16 +61,16 @@ inline constexpr std::size_t kMostPairs = 100'000;
 /// differences are, too, where those are more than can be drawn one by one.
 /// D: 2 or 3. What shows the plane alone goes with shapes in space.
 template <int D>
-[[nodiscard]] Lesson told_of(Lesson lesson, const CaseIn<D>& shapes);
+[[nodiscard]] Lesson with_shapes(Lesson lesson, const CaseIn<D>& shapes);
 /// The shapes of a case that was read, without problems and without outlines.
-[[nodiscard]] Lesson told_of(Lesson lesson, const ReadCase& read);
+[[nodiscard]] Lesson with_shapes(Lesson lesson, const ReadCase& read);
 
-/// The same shapes, told by the act of an algorithm that follows GJK.
-[[nodiscard]] Lesson told_by(Lesson lesson, const Algorithm& algorithm);
+/// The same shapes with the act of an algorithm that follows GJK.
+[[nodiscard]] Lesson with_act(Lesson lesson, const Algorithm& algorithm);
 
 /// The lesson with a second run in another scalar beside its own, on the stage and in the panel;
 /// without a scalar, with none. Of the panel's blocks the listing stays: there is no room for more.
-[[nodiscard]] Lesson told_twice(Lesson lesson, std::optional<ScalarKind> beside);
+[[nodiscard]] Lesson with_second_run(Lesson lesson, std::optional<ScalarKind> beside);
 
 /// The edge of a shape's outlines (LessonShape::ranges) nearest to `world`: the index of its first
 /// vertex, and the distance.

@@ -321,7 +321,7 @@ std::string Player::open_case(const Asked& asked) {
       parse_cases(text, name, gjk::kMaxDimension, std::nullopt, CaseLimits::of_lessons());
   if (!cases.front().problems.empty()) throw std::runtime_error(to_string(cases.front().problems));
   const ReadCase& read = cases.front();
-  const Lesson lesson = edit::told_of(session_.lesson(), read);
+  const Lesson lesson = edit::with_shapes(session_.lesson(), read);
   if (!session_.edit(name, lesson)) {
     std::vector<Problem> problems = why_not_said(lesson);
     if (problems.empty()) throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));

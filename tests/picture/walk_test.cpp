@@ -20,7 +20,7 @@ TEST(WalkFrames, GoThroughEveryStepAndEndWithTheAnswer) {
     Lesson lesson = testing::shipped_lesson(id);
     lesson.questions.clear();
     const LessonRun run = run_lesson(lesson);
-    const models::WalkTrace& trace = walk_told(run, 0)->trace;
+    const models::WalkTrace& trace = walk_trace(run, 0)->trace;
     ASSERT_EQ(run.frames.size(), trace.steps.size() + 2);
     EffectGraph effects(run);
     const std::vector<FrameText> texts = lesson_texts(run, effects);
@@ -75,15 +75,15 @@ TEST(WalkFrames, AlongAPathEachWalkStartsWhereTheLastOneEnded) {
   const LessonRun run = run_lesson(testing::shipped_lesson("lin-canny-motion"));
   ASSERT_GT(run.runs.size(), 2u);
   for (int i = 1; i < static_cast<int>(run.runs.size()); ++i) {
-    EXPECT_EQ(walk_told(run, i)->trace.start.a, walk_told(run, i - 1)->trace.result.a);
-    EXPECT_EQ(walk_told(run, i)->trace.start.b, walk_told(run, i - 1)->trace.result.b);
-    EXPECT_LE(walk_told(run, i)->trace.result.steps, 3);
+    EXPECT_EQ(walk_trace(run, i)->trace.start.a, walk_trace(run, i - 1)->trace.result.a);
+    EXPECT_EQ(walk_trace(run, i)->trace.start.b, walk_trace(run, i - 1)->trace.result.b);
+    EXPECT_LE(walk_trace(run, i)->trace.result.steps, 3);
   }
 }
 
 TEST(WalkFrames, ALocalMinimumIsToldBesideTheTruth) {
   const LessonRun run = run_lesson(testing::shipped_lesson("local-minima"));
-  const WalkTold& walk = *walk_told(run, 0);
+  const WalkTold& walk = *walk_trace(run, 0);
   ASSERT_EQ(walk.trace.result.stop, models::WalkStop::local_minimum);
   ASSERT_TRUE(walk.truth);
   EXPECT_LT(walk.truth->distance, walk.trace.result.answer.distance);

@@ -265,10 +265,10 @@ class OutsideBounds {
     const Corners of_y(face_, &VertexPair::y);
     if (of_x.count + of_y.count != face_.count + 1 || !(R(0) < foot.height)) return false;
     const bool is_space_edge = D == 3 && face_.count == 2;  // d is the product of two products
-    const R lever = is_space_edge ? smaller(foot.height, foot.distance) : foot.height;
+    const R arm = is_space_edge ? smaller(foot.height, foot.distance) : foot.height;
     // In one frame d is a sum of vertices, and sums in twice the digits are exact.
     const bool is_sum = prepared_.same_frame && (D == 2 || face_.count == 1);
-    const R angle = R(4) * u_ + (is_sum ? R(0) : R(R(4) * careful_error() / lever));
+    const R angle = R(4) * u_ + (is_sum ? R(0) : R(R(4) * careful_error() / arm));
     const R scan_error = length(foot.d) * prepared_.scan_error_within(angle);
     return are_alone(Vec<R, D>(-foot.d), query_.x, prepared_, prepared_.x, of_x, scan_error) &&
            are_alone(foot.d, query_.y, prepared_, prepared_.y, of_y, scan_error);

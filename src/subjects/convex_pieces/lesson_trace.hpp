@@ -50,7 +50,7 @@ template <class Corners>
 }
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const PiecesTrace& pieces_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const PiecesTrace& pieces_trace(const AlgorithmTrace& trace) {
   return static_cast<const PiecesTrace&>(trace);
 }
 

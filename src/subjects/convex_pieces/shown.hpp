@@ -16,7 +16,7 @@ inline constexpr AskInfo kAskPair{"piece-pair", "whether a pair of pieces is run
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(pieces_told(run.algorithm_trace(frame))),
+        told(pieces_trace(run.algorithm_trace(frame))),
         step(last_step_over(told.told, frame)),
         is_answer(frame.step >= told.steps()) {}
 

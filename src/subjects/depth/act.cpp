@@ -89,7 +89,7 @@ namespace {
 constexpr std::array kAsks = {kAskEdge, kAskFace, kAskVisible, kAskBeyond, asks::kSupport};
 
 /// One value alone is the least, as far as a reader can see.
-bool is_told_apart(const std::vector<double>& values) {
+bool are_distinct(const std::vector<double>& values) {
   constexpr double kSeen = 1e-3;
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double limit = *least + kSeen * (*most - *least);
@@ -114,7 +114,7 @@ bool has_one_support_point(const auto& record) {
   for (const auto* scan : {&record.scan_x, &record.scan_y}) {
     std::vector<double> values;
     for (const gjk::ScanEntry<double>& entry : *scan) values.push_back(-entry.value);
-    if (!is_told_apart(values)) return false;
+    if (!are_distinct(values)) return false;
   }
   return true;
 }
@@ -134,7 +134,7 @@ bool answers(const S& shown, const LessonQuestion& question) {
   if (question.ask == kAskBeyond.name) return shown.is(Phase::support);
   if (question.ask == kAskVisible.name) return shown.is(Phase::stop) && dropped_after(shown) == 2;
   return question.ask == (std::is_same_v<S, Shown> ? kAskEdge : kAskFace).name &&
-         shown.is(Phase::nearest) && is_told_apart(distances(shown));
+         shown.is(Phase::nearest) && are_distinct(distances(shown));
 }
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,

@@ -110,7 +110,7 @@ void difference(SceneBuilder& scene) {
     std::vector<Point> points;
     for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
       points.push_back(scene.at(corner.z));
-    points = told_apart(points);
+    points = separate_points(points);
     scene.area(hull_is_ghost(scene) ? "hull.ghost" : "hull", points, {Subject::Kind::difference});
     scene.outline(points);
   }

@@ -20,7 +20,7 @@ inline constexpr AskInfo kAskMover{"face-vertex", "which vertex the marked face 
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(faces_told(run.algorithm_trace(frame))),
+        told(faces_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         asks(frame.question >= 0),
         asks_source(asks && run.asked(frame).ask == kAskSource.name),

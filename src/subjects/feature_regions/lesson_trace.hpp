@@ -64,7 +64,7 @@ class RegionsTrace final : public AlgorithmTrace {
 };
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const RegionsTrace& regions_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const RegionsTrace& regions_trace(const AlgorithmTrace& trace) {
   return static_cast<const RegionsTrace&>(trace);
 }
 

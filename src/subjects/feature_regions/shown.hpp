@@ -19,7 +19,7 @@ inline constexpr AskInfo kAskRefuting{"refuting-plane",
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(regions_told(run.algorithm_trace(frame))),
+        told(regions_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         is_query(run.point_query()),
         asks(frame.question >= 0),

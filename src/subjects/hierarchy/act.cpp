@@ -13,7 +13,7 @@ using models::SearchStep;
 
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : lesson(run.lesson),
-      search(*search_told(run, frame.run)),
+      search(*search_trace(run, frame.run)),
       over(frame.step + 1),
       step(last_step_over(search.trace.steps, frame)),
       state(step == nullptr ? search.trace.start : step->after),
@@ -99,7 +99,7 @@ bool is_introduced(const Lesson& lesson, long visit) {
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
   const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
-  const models::SearchTrace& trace = search_told(run, index)->trace;
+  const models::SearchTrace& trace = search_trace(run, index)->trace;
   add(0);
   if (trace.steps.empty()) return;
   const long visits = trace.result.visits;

@@ -206,7 +206,7 @@ void candidates(SceneBuilder& scene) {
 void add_order_frames(LessonRun& run, int index) {
   constexpr long kMostFrames = 12;
   const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
-  const models::SearchTrace& trace = search_told(run, index)->trace;
+  const models::SearchTrace& trace = search_trace(run, index)->trace;
   add(0);
   const long stride = 1 + trace.result.visits / kMostFrames;
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {

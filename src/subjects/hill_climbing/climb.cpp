@@ -10,7 +10,7 @@ namespace climbing {
 
 int Walk::products() const {
   int count = 1;
-  for (const Look& look : looks) count += static_cast<int>(look.fresh.size());
+  for (const Look& look : looks) count += static_cast<int>(look.new_neighbours.size());
   return count;
 }
 
@@ -37,10 +37,10 @@ Walk walk(std::span<const Vector3d> points, const Neighbours& neighbours, const 
   for (int now = from; now >= 0; now = out.looks.back().next) {
     Look look{now, {}, -1};
     int best = now;
-    for (const int next : neighbours[static_cast<std::size_t>(now)]) {
-      if (met[static_cast<std::size_t>(next)]) continue;
-      met[static_cast<std::size_t>(next)] = true;
-      look.fresh.push_back(next);
+    for (const int next : neighbours[now]) {
+      if (met[next]) continue;
+      met[next] = true;
+      look.new_neighbours.push_back(next);
       if (farther(d, at(best), at(next)) > 0) best = next;
     }
     if (best != now) look.next = best;

@@ -45,7 +45,7 @@ class ClimbTrace final : public AlgorithmTrace {
 };
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const ClimbTrace& climbs_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const ClimbTrace& climbs_trace(const AlgorithmTrace& trace) {
   return static_cast<const ClimbTrace&>(trace);
 }
 

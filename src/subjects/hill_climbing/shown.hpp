@@ -18,7 +18,7 @@ enum class After { growth, needs };
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(climbs_told(run.algorithm_trace(frame))),
+        told(climbs_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         asks(frame.question >= 0),
         is_answer(frame.step >= told.steps()),

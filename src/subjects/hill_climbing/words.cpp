@@ -57,7 +57,7 @@ void move(const Story& story, const Shown& shown, FrameText& text) {
   text.detail = fmt::format("{} · {} = {} is more than {} · {} = {}.", shown.d(), next,
                             story.numbers(shown.product(look.next)), shown.d(), now,
                             story.numbers(shown.product(look.at)));
-  const std::size_t known = shown.neighbours().size() - look.fresh.size();
+  const std::size_t known = shown.neighbours().size() - look.new_neighbours.size();
   if (shown.is_first() && shown.step > 0) {
     text.detail += fmt::format(" This walk starts where the last one ended, at {}.", now);
   } else if (known > 0) {

@@ -9,7 +9,7 @@ using models::WalkPhase;
 
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : lesson(run.lesson),
-      walk(*walk_told(run, frame.run)),
+      walk(*walk_trace(run, frame.run)),
       step(last_step_over(walk.trace.steps, frame)),
       state(step == nullptr ? walk.trace.start : step->after),
       is_answer(frame.step >= static_cast<int>(walk.trace.steps.size())) {}

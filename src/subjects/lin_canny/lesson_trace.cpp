@@ -27,9 +27,9 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"distance", "distance of the closest features, once the walk has stopped"},
      {"swaps", "features that the walk has swapped by now"}}};
 
-class Told : public AlgorithmTrace {
+class LessonTrace : public AlgorithmTrace {
  public:
-  explicit Told(WalkTold walk) : walk_(std::move(walk)) {}
+  explicit LessonTrace(WalkTold walk) : walk_(std::move(walk)) {}
 
   [[nodiscard]] const WalkTold& walk() const { return walk_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(walk_.trace.steps.size()); }
@@ -117,7 +117,7 @@ std::string text(const Json& document, const Json& trace) {
 }
 
 const WalkTold& walk_of(const AlgorithmTrace& trace) {
-  return static_cast<const Told&>(trace).walk();
+  return static_cast<const LessonTrace&>(trace).walk();
 }
 
 /// The vertex of an outline as a feature of its ring.
@@ -139,7 +139,7 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
     told.trace.result.stop = WalkStop::refused;
     told.trace.result.flaw = flaw;
     told.trace.result.flaw_in_b = model == &y;
-    return std::make_shared<const Told>(std::move(told));
+    return std::make_shared<const LessonTrace>(std::move(told));
   }
   told.query = models::walk_query(x, y);
   const gjk::VertexPair start = lesson.options.start.pairs[0];
@@ -151,7 +151,7 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
   }
   told.trace = models::trace_walk(*told.query, a, b);
   if (told.trace.result.stop == WalkStop::local_minimum) told.truth = models::brute(x, y).answer;
-  return std::make_shared<const Told>(std::move(told));
+  return std::make_shared<const LessonTrace>(std::move(told));
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
                                    .stops = std::span(kStops).subspan(1),
                                    .text = text};
 
-const WalkTold* walk_told(const LessonRun& run, int index) {
+const WalkTold* walk_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;
   return &walk_of(*run.algorithm_traces[index]);
 }

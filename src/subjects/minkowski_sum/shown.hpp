@@ -14,7 +14,7 @@ inline constexpr AskInfo kAskEdge{"next-edge", "which edge of the difference com
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(sum_told(run.algorithm_trace(frame))),
+        told(sum_trace(run.algorithm_trace(frame))),
         merge(told.merge),
         step(last_step_over(merge.steps, frame)),
         is_answer(frame.step >= static_cast<int>(merge.steps.size())) {}

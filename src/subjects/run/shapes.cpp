@@ -167,7 +167,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const std::vector<Vector2d> world = in_plane(scene.positioned.bodies[body].world);
   const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
   const std::vector<Point> vertices = scene.mapped(world);
-  const std::vector<Point> corners = told_apart(vertices);
+  const std::vector<Point> corners = separate_points(vertices);
   const Point middle = centroid(corners);
   if (!shape.outlines.empty()) {
     outlines(scene, shape, world, role, whole);

@@ -18,7 +18,7 @@ using gjk::Phase;
 using namespace rows;
 
 /// Two numbers that differ, with as many digits as that takes.
-std::array<std::string, 2> told_apart(const std::array<double, 2>& numbers) {
+std::array<std::string, 2> different_texts(const std::array<double, 2>& numbers) {
   std::array<std::string, 2> texts;
   constexpr int kAllDigits = 17;
   for (int digits = 4; digits <= kAllDigits && texts[0] == texts[1]; ++digits) {
@@ -86,7 +86,7 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
         const std::array<double, 2> numbers = {value(columns[0]), value(columns[1])};
         const double most = std::max(std::abs(numbers[0]), std::abs(numbers[1]));
         differ = std::abs(numbers[0] - numbers[1]) > share * most;
-        if (differ && texts[0] == texts[1]) texts = told_apart(numbers);
+        if (differ && texts[0] == texts[1]) texts = different_texts(numbers);
       }
       for (std::string& text : texts) text = fitting(std::move(text));
     }

@@ -124,7 +124,7 @@ std::shared_ptr<const AlgorithmTrace> run_space_walk(const Lesson& lesson, const
   const gjk::VertexPair first = lesson.options.start.pairs[0];
   std::array<std::vector<int>, 2> from = {{{first.x}, {first.y}}};
   if (lesson.warm_start && before != nullptr && before->steps() > 0) {
-    const SpaceWalk& last = space_walk_told(*before);
+    const SpaceWalk& last = space_walk_trace(*before);
     for (const std::size_t body : {0, 1})
       from[body] = last.features[body][last.all.back().at[body]].vertices;
   }

@@ -57,7 +57,7 @@ class SpaceWalk final : public AlgorithmTrace {
 };
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const SpaceWalk& space_walk_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const SpaceWalk& space_walk_trace(const AlgorithmTrace& trace) {
   return static_cast<const SpaceWalk&>(trace);
 }
 

@@ -23,7 +23,7 @@ inline constexpr AskInfo kAskPairs{"pairs-in-space", "how many pairs the walk lo
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(space_walk_told(run.algorithm_trace(frame))),
+        told(space_walk_trace(run.algorithm_trace(frame))),
         is_path(run.lesson.path_of_shapes.has_value()),
         asks(frame.question >= 0),
         is_answer(frame.step >= told.steps() && !asks),
