@@ -14,6 +14,7 @@
 #include "subjects/hierarchy/lesson_trace.hpp"
 #include "subjects/hierarchy/shown.hpp"
 #include "subjects/methods/lesson_trace.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace search_test {
@@ -122,8 +123,7 @@ TEST(SearchFrames, AskOnlyWhatAVisitAnswers) {
   for (const std::string& id : kLessons) {
     SCOPED_TRACE(id);
     const LessonRun run = run_lesson(testing::shipped_lesson(id));
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     EXPECT_EQ(texts.front().phase, "start");
     EXPECT_EQ(texts.back().phase, "answer");
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -147,8 +147,7 @@ TEST(SearchFrames, AskAboutHalvesWhatTheirVisitsSay) {
     if (id == "hierarchy-orders") continue;
     lesson.questions = {{"half", {}}};
     const LessonRun run = run_lesson(lesson);
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     int asked = 0;
     for (std::size_t i = 0; i < texts.size(); ++i) {
       if (!texts[i].question) continue;
@@ -184,8 +183,7 @@ TEST(SearchFrames, ThePairThatComesNextIsThatOfTheNextVisit) {
   Lesson lesson = testing::shipped_lesson("hierarchy-orders");
   lesson.questions = {{"next-pair", {}}};
   const LessonRun run = run_lesson(lesson);
-  EffectGraph effects(run);
-  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  const std::vector<FrameText> texts = testing::texts_of(run);
   int asked = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (!texts[i].question) continue;
@@ -208,9 +206,7 @@ TEST(SearchFrames, AShapeWithoutSegmentsIsRefused) {
   lesson.x().vertex_names.resize(1);
   const LessonRun run = run_lesson(lesson);
   ASSERT_EQ(run.frames.size(), 1u);
-  EffectGraph effects(run);
-  EXPECT_EQ(lesson_texts(run, effects).front().caption,
-            "The search does not take U: too few points.");
+  EXPECT_EQ(testing::texts_of(run).front().caption, "The search does not take U: too few points.");
 }
 
 TEST(MethodsFrames, AllMethodsAgreeAndMemoryDoesNotHurt) {
@@ -249,8 +245,7 @@ TEST(MethodsFrames, SayWhichShapeTheyDoNotTake) {
   Lesson lesson = testing::shipped_lesson("methods-motion");
   lesson.y().vertices[0] = {0.0, 0.0, 0.0};
   const LessonRun run = run_lesson(lesson);
-  EffectGraph effects(run);
-  EXPECT_EQ(lesson_texts(run, effects).front().caption, "Not all methods take Y: not convex.");
+  EXPECT_EQ(testing::texts_of(run).front().caption, "Not all methods take Y: not convex.");
 }
 
 }  // namespace search_test
