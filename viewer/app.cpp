@@ -148,7 +148,7 @@ void App::tick(double now) {
   thumbnails_.tick();
   if (!message_ends_) message_ends_ = is_exporting() ? HUGE_VAL : now_ + kMessageStays;
   if (now_ >= *message_ends_) message_.clear();
-  // The next deed is past what was wrong with the one before.
+  // A new action clears the error of the one before.
   const std::pair<long, int> here(session_.version(), session_.index());
   if (!error_at_) error_at_ = here;
   if (*error_at_ != here) error_.clear();

@@ -43,7 +43,7 @@ constexpr int kSmallestHeight = 90;
 constexpr int kMostThreads = 64;
 constexpr int kFilmRate = 25;  // images a second of a film in which nothing moves
 
-/// Says on stderr how far the export is: a line a lesson, or on a terminal one line that changes.
+/// Reports progress on stderr: one line for each lesson, or on a terminal one line that changes.
 class Progress {
  public:
   Progress(const ExportOptions& options, std::size_t lesson_count)
@@ -167,7 +167,7 @@ void remove_stale_frames(const std::filesystem::path& folder, const std::string&
   }
 }
 
-/// All but the lesson that a file is made from.
+/// A sum over everything except the lesson that a file is made from.
 Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
   Fingerprint sum;
   // The program itself: a version number does not change with each change of a drawing.

@@ -88,7 +88,7 @@ bool may_stack(const Page& page) {
   return is_narrow(page) || is_slim(page) || (!page.bare && page.height > kSquarish * page.width);
 }
 
-/// `stacks`: whether views stand one below the other, of cards side by side and cards so.
+/// `stacks` decides whether views stand one below the other, given the cards of both arrangements.
 Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const Page& page,
                  const std::function<bool(const Cards& beside, const Cards& stacked)>& stacks) {
   const auto [width, height, zoom, bare, captions] = page;
@@ -563,8 +563,8 @@ Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
 
 }  // namespace
 
-/// In the spare part of the panel: what is new in this frame, and as much of the rest as has room.
-/// Nothing where what is new has none.
+/// The legend in the spare part of the panel: entries that are new in this frame, then older ones
+/// as far as there is room. Empty if the new ones do not fit.
 std::vector<Mark> LessonPictures::legend_in(const Rect& spare, std::size_t index) {
   std::size_t unexplained = 0;
   for (std::size_t view = 0; view < views_.size(); ++view)

@@ -70,7 +70,7 @@ class LessonPictures {
   LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
                  const Page& page = {}, LabelScope scope = LabelScope::lesson);
   ~LessonPictures();
-  /// The same frames on another page, or seen by other cameras than the lesson's: `sights` has one
+  /// The same frames on another page, or seen by other cameras than the lesson's: `cameras` has one
   /// for each view, nothing for the lesson's own. Nothing is run again. `stacked`: whether views
   /// stand one below the other, on a page that has room for both; without, as suits the lesson.
   void lay_out(const Page& page, const CameraOverrides& cameras, LabelScope scope,

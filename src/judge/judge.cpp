@@ -102,8 +102,8 @@ struct Body {
     }
   }
 
-  /// The vertex that lies farthest along d, which is not 0; of equal ones the first. Doubles leave
-  /// only those whose order they cannot tell.
+  /// The vertex that lies farthest along d, which is not 0; of equal ones the first. Doubles rule
+  /// out most vertices; the others are compared exactly.
   [[nodiscard]] int farthest(const Vertex& d, int sign) const {
     Point along(to_double(d[0]), to_double(d[1]), to_double(d[2]));
     const double most = along.cwiseAbs().maxCoeff();
@@ -187,9 +187,9 @@ class Judge {
     const Extent extent = extent_of(vertices);
     return explained(extent.longest) * extent.thin;
   }
-  /// The same for which face of a simplex holds P. In the plane sides are told by edges, which are
-  /// no shorter than what they are off by; in space by areas and volumes, of the facets alone where
-  /// the whole has none.
+  /// The same for the choice of the face that holds P. In the plane edges decide it, which are no
+  /// shorter than their error; in space areas and volumes do, of the facets alone if the whole
+  /// simplex has no volume.
   [[nodiscard]] double explained_region(const std::vector<Vertex>& vertices) const {
     const double longest = extent_of(vertices).longest;
     if (log_.dimension == 2) return explained(longest);
@@ -907,7 +907,7 @@ class Judge {
     });
   }
 
-  /// Every step is right, but the run ends before P is the answer.
+  /// Checks for a run whose steps are all right, but that ends before P is the answer.
   void check_early_stop() {
     if (steps_.empty()) return;
     const std::size_t last = steps_.size() - 1;

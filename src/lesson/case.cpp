@@ -166,7 +166,7 @@ class CaseReader {
     return end;
   }
 
-  /// The library's message without its identifiers and position, which are told otherwise.
+  /// The library's message without its identifiers and position, which the problem has.
   [[nodiscard]] static std::string reason(std::string_view message) {
     const std::size_t colon = message.find(": ");
     return std::string(colon == std::string_view::npos ? message : message.substr(colon + 2));

@@ -87,8 +87,8 @@ void look_at_regions(WalkState& state, const WalkQuery& query, WalkStep& note) {
   }
 }
 
-/// Behind an edge: the edge of the same outline that is closest to the other's vertex. The vertex
-/// lies within the outline where it lies in front of none.
+/// Replaces an edge that the other's vertex lies behind by the edge of the same outline that is
+/// closest to that vertex. A vertex in front of no edge lies within the outline.
 void leave_back(WalkState& state, const WalkQuery& query, WalkStep& note) {
   const bool of_a = state.found.of_a;
   const Ring& ring = of_a ? query.a : query.b;

@@ -135,7 +135,7 @@ bool in_box(const Point& p, const Segment& s) {
 
 bool lies_on(const Point& p, const Segment& s) { return in_box(p, s) && turn(s.a, s.b, p) == 0; }
 
-/// A common point of segments that meet: an end of one, where there is such.
+/// Sets the common point of two segments that meet: an end of one of them if it is common.
 void set_meeting_spots(Nearest& pair) {
   const auto spot_on = [](const Point& p, const Segment& s) {
     return p == s.a ? Spot::start : p == s.b ? Spot::end : Spot::between;

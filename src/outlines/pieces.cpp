@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::vector<int>;
 
-/// An outline of the matter: its corners, matter to the left, and what bounds it is in.
+/// A border of the inside: its corners in order, with the inside to their left.
 struct Border {
   Corners corners;
   bool is_hole = false;

@@ -52,7 +52,7 @@ using Triangle = std::array<int, 3>;
 
 const Vector3d& at(Points points, int i) { return points[i]; }
 
-/// Index of the point for which `size` is largest.
+/// The index of the point for which `size` is largest.
 template <class Size>
 int farthest(Points points, const Size& size) {
   int best = 0;

@@ -38,7 +38,7 @@ template <class N>
 Vec<N> along(const Body& body, int edge) {
   return way<N>(point(body, at(body.edges, edge).from), point(body, at(body.edges, edge).to));
 }
-/// Outwards, of any length.
+/// A normal that points outwards, of any length.
 template <class N>
 Vec<N> normal(const Body& body, const Body::Face& face) {
   const int third = count_of(face.vertices) / 3;  // corners far apart round least

@@ -20,7 +20,7 @@ struct Tick {
   std::string group;  ///< Ticks in a row with the same group share its label.
   std::string label = {};
   std::string short_label = {};  ///< Used when the label is wider than the tick.
-  bool event = false;            ///< A vertex dropped, containment, the end.
+  bool event = false;  ///< True when a vertex is dropped, O is contained, or the run ends.
   bool question = false;
 };
 

@@ -285,10 +285,10 @@ double size_of(const Lesson& lesson) {
   return size;
 }
 
-/// The axes, both ways, and the corners of a square, or a cube: arrows of one length, whose hull
-/// holds the disk, or ball, of radius 1. In the plane it is an octagon, 1 / cos(π/8) long. In space
-/// a face has the corners (1, 0, 0), (1, 1, 1) / √3 and (1, 1, -1) / √3, so its plane is
-/// x + (√3 - 1) y = 1.
+/// Arrows of one length along the axes, both ways, and to the corners of a square or a cube. Their
+/// hull holds the disk or ball of radius 1. In the plane it is an octagon, 1 / cos(π/8) long. In
+/// space a face has the corners (1, 0, 0), (1, 1, 1) / √3 and (1, 1, -1) / √3, so its plane is x +
+/// (√3 - 1) y = 1.
 std::vector<Vector3d> ways(int dimension) {
   const double length =
       std::sqrt(dimension == 2 ? 4.0 - 2.0 * std::sqrt(2.0) : 5.0 - 2.0 * std::sqrt(3.0));

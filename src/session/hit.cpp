@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Subject::Kind;
 
-/// How well a mark is hit; lower is better, infinite is not at all.
+/// The score of a mark that is not hit; lower scores are better.
 constexpr double kMiss = HUGE_VAL;
 constexpr double kLine = 1e3;
 constexpr double kArea = 1e6;

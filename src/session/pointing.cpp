@@ -122,8 +122,7 @@ std::string region_at(Session& session, const Hand& hand, std::size_t view, cons
   return face == 0 ? std::string() : SimplexWords(run, simplex).face(face);
 }
 
-/// The choice that names the face of a body in space under a place of the page, "face ABC" or
-/// "face ABC of Y".
+/// The choice that names the face under a place of the page, "face ABC" or "face ABC of Y".
 std::string face_choice_at(Session& session, const LessonPictures::ShownView& shown,
                            const Point& page) {
   const LessonRun& run = session.run();

@@ -20,8 +20,8 @@
 namespace gjkscope::study {
 namespace {
 
-/// a * 2^exponent, of which 64 digits are left. Where that drops any the last one is odd, so that a
-/// double comes of it as from the whole.
+/// a * 2^exponent, cut off after 64 digits. If any were dropped, the last one is set to 1, so that
+/// rounding to double gives the same as rounding the whole number.
 long double rounded(const Integer& a, long exponent) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   if (a.is_zero()) return 0;

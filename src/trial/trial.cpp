@@ -111,7 +111,7 @@ std::optional<gjk::Vec<double, D>> point_of(const json& value) {
   return out;
 }
 
-/// Whether the closest points are as far apart as the shapes, where both are told.
+/// Whether the closest points are as far apart as the shapes, if the answer has both.
 template <int D>
 bool points_fit(const json& answer, const Asked<D>& one, double limit, double unit) {
   gjk::Vec<double, D> between = gjk::Vec<double, D>::Zero();
@@ -130,7 +130,7 @@ bool points_fit(const json& answer, const Asked<D>& one, double limit, double un
          limit * one.distance + 16 * unit * largest;
 }
 
-/// Whether `depth` and `translation` are right, where they are told.
+/// Whether `depth` and `translation` are right, if the answer has them.
 template <int D>
 bool depth_fits(const json& answer, const Asked<D>& one, double limit, double unit) {
   const auto told = [&](const char* key) {

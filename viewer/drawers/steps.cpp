@@ -39,7 +39,7 @@ struct Table {
   int shown = -1;  ///< The frame that was in sight when it was drawn last.
   long version = -1;
   std::vector<std::string> columns;  ///< The columns of that version of the lesson.
-  int pointed = -1;                  ///< The row whose caption is told.
+  int pointed = -1;                  ///< The row whose caption is shown.
   double width = 400.0;              ///< All columns', in pixels at scale 1.
 };
 
@@ -166,7 +166,7 @@ void draw_steps(App& app, Table& table) {
   ImGui::TableSetupColumn("step");
   for (const std::string& name : table.columns) ImGui::TableSetupColumn(name.c_str());
   ImGui::TableHeadersRow();
-  // A question hides the steps after it from the table until they are told.
+  // A question hides the steps after it from the table until it is answered.
   const int count = session.last_told() + 1;
   const float row = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   if (std::exchange(table.shown, session.index()) != session.index()) {

@@ -13,8 +13,8 @@
 
 namespace depth::space {
 
-/// A triangle, its corners counter-clockwise seen from outside. One that the polytope has outgrown
-/// stays where it is, so that indices keep their meaning.
+/// A triangle, its corners counter-clockwise seen from outside. A triangle that is no longer part
+/// of the polytope stays in the list, so that indices keep their meaning.
 template <class R>
 struct Face : Plane<R> {
   std::array<int, 3> corners = {};

@@ -61,7 +61,7 @@ Vector2d corner(int chapter) {
   return {column * apart, -row * (kHeight + kBelow)};
 }
 
-/// The chapters that are told by a frame.
+/// The chapters that a frame describes.
 int told(const Frame& frame) { return frame.part; }
 
 void frames(LessonRun& run, int index) { guesses::add_part_frames(run, index, kChapters + 1); }

@@ -19,7 +19,7 @@ class RegionsTrace final : public AlgorithmTrace {
   enum class Phase : std::uint8_t { one, kind, all, query, region, plane, slab, pair };
   struct Step {
     Phase phase = Phase::all;
-    int pair = 0;           ///< That it is about; in a point query Q and its closest point.
+    int pair = 0;           ///< Index of the pair; in a point query it is Q and its closest point.
     std::size_t body = 1;   ///< The one that has the feature.
     cells::Kind kind = {};  ///< For `one` and `kind`.
     int feature = -1;       ///< For `one`.

@@ -127,7 +127,7 @@ bool can_ask_about(const Shown& shown, const Halves& halves) {
   return !shown.is_distance() || far - near > kSeen * far;
 }
 
-/// Two leaves have nothing below them to be cut.
+/// Pairs of two leaves are not asked about: they have no children that could be cut.
 int answering_step(const LessonRun& run, const Frame& before, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, before);

@@ -78,7 +78,7 @@ struct Shown {
   [[nodiscard]] const std::string& name(bool of_x) const {
     return (of_x ? lesson.x() : lesson.y()).name;
   }
-  /// Those that the last step made, or the visit before this one; nothing elsewhere.
+  /// The halves that the last step made, or the visit before it; nothing for other steps.
   [[nodiscard]] std::optional<Halves> halves() const;
   /// "box", "circle"
   [[nodiscard]] std::string_view volume() const;

@@ -166,7 +166,7 @@ class Stage {
   [[nodiscard]] Point middle_of(const Halves& halves, bool is_left) const {
     return centroid(mapped(outline_of(volume_of(halves.of_x, halves.node(is_left)))));
   }
-  /// The names of two halves, and how far they are away once that is told.
+  /// The names of two halves, and their distances once frames have shown them.
   void halves(const Halves& halves) {
     for (const bool is_left : {true, false}) {
       const models::NodePair& pair = is_left ? halves.left : halves.right;

@@ -31,7 +31,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   return frame.step >= 0 && question.at.value_or(frame.run + 1) == frame.run + 1 ? frame.step : -1;
 }
 
-/// Before anything is told of the place of Q, or of how the run ends there.
+/// The frame before the first one that shows the place of Q, or how the run ends there.
 Frame asking(const LessonRun&, const Frame& frame) { return {.run = frame.run}; }
 
 }  // namespace

@@ -16,12 +16,12 @@ const MethodsTold& told(const LessonRun& run, const Frame& frame) {
   return *methods_trace(run, frame.run);
 }
 
-/// A new position, of which nothing is told yet.
+/// True for a frame at a new position that shows no numbers yet.
 bool asks_first(const Frame& frame) { return frame.step < 0; }
 /// The frame after all positions, which sums up.
 bool is_sum(const Frame& frame) { return frame.step > 0; }
 
-/// Positions whose counts a frame tells.
+/// The number of positions whose counts a frame shows.
 int positions_told(const Frame& frame) { return frame.run + (asks_first(frame) ? 0 : 1); }
 
 /// The sum over them.

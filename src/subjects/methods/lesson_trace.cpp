@@ -95,9 +95,9 @@ class Asking {
  private:
   using Query = models::SearchQuery<models::Box>;
 
-  /// The front only moves down, and trees that are built anew have other segments in their nodes:
-  /// it is left when it costs three quarters of a search from the roots. That search itself is no
-  /// reason.
+  /// A front only moves down, and trees that are built anew have other segments in their nodes. It
+  /// is given up when a search from it costs more than three quarters of one from the roots, but
+  /// not after the first search, which starts at the roots.
   [[nodiscard]] static bool is_cheap(const MethodsTold& told) {
     const long visits = told.at(Method::tree_front);
     return visits == told.from_roots || 4 * visits <= 3 * told.from_roots;

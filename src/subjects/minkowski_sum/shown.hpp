@@ -33,7 +33,7 @@ struct Shown {
     return step != nullptr && step->after.edges_of_y == merge.y.size() &&
            step->after.edges_of_x == merge.x.size();
   }
-  /// Edges of the difference by now.
+  /// The number of edges that the difference has so far.
   [[nodiscard]] int edges() const {
     if (step == nullptr) return 0;
     return std::min(static_cast<int>(step - merge.steps.data()),

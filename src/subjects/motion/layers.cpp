@@ -102,7 +102,7 @@ Point middle_of(const SceneBuilder& scene, const Body& body) {
 }
 
 void path(SceneBuilder& scene) {
-  // Arrows stand in place of a way.
+  // Arrows from the last position take the place of the path.
   if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
   const LessonPath& path = *scene.run.lesson.path_of_shapes;
   // Without a number of frames a path is a set of places to be in, not a way between them.

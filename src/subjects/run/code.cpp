@@ -360,7 +360,7 @@ std::string braces(Language language, const std::string& inside) {
   return language == Language::python ? "(" + inside + ")" : "{" + inside + "}";
 }
 
-/// s as the loop has it. The weight of a vertex that was just added is the one it is made with.
+/// The variable s of the loop. A vertex that was just added has weight 1, as it is made.
 void write_simplex(Variables& out, bool is_weighed) {
   const PanelBuilder& panel = out.panel;
   const Language language = language_of(panel.run.lesson.listing);

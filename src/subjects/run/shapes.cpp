@@ -26,8 +26,8 @@ constexpr double kNamesApart = 44.0;
 /// looked for in a time that grows with the square of their number.
 constexpr std::size_t kMostFilled = 256;
 
-/// Names of more vertices than this would only be in the way, but for those that GJK names, and
-/// disks of more vertices hide the line.
+/// A shape with more vertices than kMostLabels shows the names of few of them; one with more than
+/// kMostDisks has no disks, which would hide its outline.
 constexpr std::size_t kMostLabels = 8;
 constexpr std::size_t kMostDisks = 64;
 
@@ -82,12 +82,12 @@ std::vector<bool> in_sight(const SceneBuilder& scene, const std::vector<Point>& 
   return out;
 }
 
-/// Whether a vertex has a name: if there is room beside it, or in any case.
+/// Whether a vertex has a name: never, only if there is room beside it, or always.
 enum class Named { no, with_room, yes };
 
-/// The names of a shape's vertices: all that are in sight where a view has room for that, else
-/// those that the run looks at, and then corners that are far from all that have one; within the
-/// hull only where there is room.
+/// Chooses the vertices of a shape that have names: all in the view if there is room, else those
+/// that the run looks at, and then corners far from all named ones. Vertices within the hull have
+/// names only if there is room.
 std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body,
                                      const std::vector<bool>& seen, bool has_room_inside) {
   const auto count_of = [](const std::vector<bool>& of) {

@@ -220,8 +220,7 @@ std::string news(const Story& story, const std::string& name) {
                      story.set_name(), story.plane());
 }
 
-/// Why a distance of 0 is one: P is O.
-/// "The distance is 1.2"; where scalars are compared each has an answer of its own.
+/// "The distance is 1.2", or, where scalars are compared, "In float the distance is 1.2".
 std::string distance_is(const Story& story, const std::string& distance) {
   return story.run.lesson.has_block(blocks::kScalars.name)
              ? fmt::format("In {} the distance is {}", name_of(story.run.lesson.scalar), distance)
@@ -460,7 +459,7 @@ void trail(const Story& story, FrameText& text) {
 
 namespace {
 
-/// A lesson that shows the slab is told by what each phase proves.
+/// The words of a lesson that shows the slab: they say what each phase proves.
 bool tells_slab(const Story& story) {
   const bool proves = story.knows.phase_is(gjk::Phase::closest) ||
                       story.knows.phase_is(gjk::Phase::support) ||

@@ -62,7 +62,7 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
       return panel.fonts.width(type::kCodeBold, shown) <= half - kBetween;
     });
   };
-  // From its first digit that differs on a text has a line below it.
+  // A text is underlined from the first digit that differs.
   const auto underline = [&](const std::string& role, double right, const std::string& text,
                              const std::string& compared) {
     const std::u32string mine = code_points(text);
