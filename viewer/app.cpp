@@ -148,7 +148,7 @@ void App::tick(double now) {
   thumbnails_.tick();
   if (!message_ends_) message_ends_ = is_exporting() ? HUGE_VAL : now_ + kMessageStays;
   if (now_ >= *message_ends_) message_.clear();
-  // The next deed is past what was wrong with the one before.
+  // A new action clears the error of the one before.
   const std::pair<long, int> here(session_.version(), session_.index());
   if (!error_at_) error_at_ = here;
   if (*error_at_ != here) error_.clear();
@@ -240,7 +240,7 @@ const ListedLesson* App::neighbour(int by) const {
   });
   if (open == lessons_.end()) return nullptr;
   for (auto i = open - lessons_.begin() + by; i >= 0 && i < std::ssize(lessons_); i += by) {
-    const ListedLesson& lesson = lessons_[static_cast<std::size_t>(i)];
+    const ListedLesson& lesson = lessons_[i];
     if (lesson.problem.empty()) return &lesson;
   }
   return nullptr;
@@ -309,7 +309,7 @@ void App::go_on() {
   const auto& frames = session_.run().frames;
   int at = 0;
   for (int told = 0; at + 1 < session_.frame_count() && told < place.frame; ++at)
-    told += frames[static_cast<std::size_t>(at)].question < 0 ? 1 : 0;
+    told += frames[at].question < 0 ? 1 : 0;
   session_.go_to(at);
 }
 
@@ -687,7 +687,7 @@ void App::focus_next_panel(int by) {
   if (drawer_) panels.emplace_back("##drawer");
   const auto now = std::find(panels.begin(), panels.end(), focused_) - panels.begin();
   const auto count = std::ssize(panels);
-  focused_ = panels[static_cast<std::size_t>((now + by + count) % count)];
+  focused_ = panels[(now + by + count) % count];
   focus_moves_ = true;
 }
 

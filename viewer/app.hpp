@@ -142,7 +142,7 @@ class App {
   [[nodiscard]] const std::vector<ListedLesson>& lessons() const { return lessons_; }
   [[nodiscard]] const std::vector<CourseTerm>& terms() const { return terms_; }
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
-  /// The last message, or the error of the last deed.
+  /// The last message, or the error of the last action.
   [[nodiscard]] const std::string& message() const { return error_.empty() ? message_ : error_; }
   [[nodiscard]] std::vector<Notice> notices() const;
   /// The shown case's expectation, and how the run compares; empty where it expects nothing.
@@ -337,7 +337,6 @@ class App {
   /// The same in a thread of its own: large shapes take their time, and a drag would wait.
   void keep_unsaved_beside();
   void end_keeping();
-  void say_not_kept(const std::runtime_error& error);
   void offer_left_work();
   void show_left_work();
   void discard_left_work(bool is_discarded);
@@ -417,7 +416,7 @@ class App {
   bool snaps_ = false;
   std::string message_;
   std::optional<double> message_ends_;  ///< Set when it is seen first.
-  std::string error_;                   ///< The last deed's, until the next.
+  std::string error_;                   ///< That of the last action, until the next.
   std::string error_details_;
   std::optional<std::pair<long, int>> error_at_;  ///< Version and step when it was seen first.
   /// The first character of the lesson's words that the stage cannot draw, of this version.
@@ -444,7 +443,7 @@ class App {
   double export_began_ = 0.0;
   bool gives_export_up_ = false;  ///< A second wish to quit is granted.
   std::future<Exported> exporting_;
-  std::future<void> keeping_;  ///< Uses `unsaved_`.
+  std::future<void> keeping_;  ///< Work that is being kept; uses `unsaved_`.
   /// Consequences of a drag of large shapes; uses `session_`.
   std::future<std::shared_ptr<Session::Made>> working_;
   /// A large file that is read, run and drawn beside the window.

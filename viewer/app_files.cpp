@@ -50,8 +50,8 @@ Expectation outcome_of(const LessonRun& run) {
   for (const WideStep& step : trace.steps) {
     if (step.phase != gjk::Phase::support) continue;
     const gjk::VertexPair pair = step.after.support.pair;
-    const std::string& y = run.lesson.y().vertex_names[static_cast<std::size_t>(pair.y)];
-    const std::string& x = run.lesson.x().vertex_names[static_cast<std::size_t>(pair.x)];
+    const std::string& y = run.lesson.y().vertex_names[pair.y];
+    const std::string& x = run.lesson.x().vertex_names[pair.x];
     expect.supports->push_back(run.point_query() ? y : fmt::format("{}-{}", y, x));
   }
   return expect;
@@ -114,7 +114,7 @@ void App::open_exported(const fs::path& file) {
   const fs::path shipped = paths_.share / "lessons" / (record->lesson + ".toml");
   LoadedLesson loaded = parse_lesson(record->toml, shipped, vocabulary());
   if (!loaded.lesson) return say(loaded.problems);
-  // The step counts the frames that ask, which the window shows when it is told to.
+  // The step counts frames that ask, which the window shows only if it is set to.
   const std::vector<Frame> frames = run_lesson(*loaded.lesson).frames;
   const auto step = static_cast<std::size_t>(std::max(record->frames.front().step, 1));
   const auto end = frames.begin() + static_cast<std::ptrdiff_t>(std::min(step, frames.size()));
@@ -405,7 +405,7 @@ void App::export_frames(ExportOptions options, bool all) {
   if (!all) {
     int step = 0;
     for (int i = 0; i <= session_.index(); ++i)
-      step += session_.run().frames[static_cast<std::size_t>(i)].question < 0 ? 1 : 0;
+      step += session_.run().frames[i].question < 0 ? 1 : 0;
     options.first_step = options.last_step = std::max(step, 1);
   }
   options.out_dir = fs::absolute(options.out_dir).lexically_normal();
@@ -490,7 +490,7 @@ void App::keep_settings() {
   try {
     write_whole(paths_.state / "settings", settings_text(now));
   } catch (const std::runtime_error&) {
-    // A convenience; a full disk is said where work is saved.
+    // This is a convenience: a full disk is reported when work is saved.
   }
 }
 
@@ -522,7 +522,7 @@ void App::write_lines(const char* name, const std::vector<std::string>& lines) c
     write_whole(paths_.state / name,
                 std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   } catch (const std::runtime_error&) {
-    // A convenience; a full disk is said where work is saved.
+    // This is a convenience: a full disk is reported when work is saved.
   }
 }
 

@@ -105,8 +105,7 @@ void Asking::move(int by) {
 
 void Asking::enter() {
   const std::vector<std::string> offered = choices();
-  if (highlighted_ < static_cast<int>(offered.size()))
-    choose(offered[static_cast<std::size_t>(highlighted_)]);
+  if (highlighted_ < static_cast<int>(offered.size())) choose(offered[highlighted_]);
 }
 
 void Asking::tick(double now) {

@@ -35,7 +35,7 @@ class Asking {
   bool click(const Subject& subject, const Point& page);
   /// No half of a pair and no digit stands any more.
   void forget();
-  /// True when there was something to forget.
+  /// True when half of a pair or a digit has been given.
   [[nodiscard]] bool has_begun();
   void tick(double now);
   [[nodiscard]] std::optional<double> wakes_at() const;

@@ -278,7 +278,7 @@ struct Palette {
         all.push_back(
             {command.name, command.keys.empty() ? "" : command.keys.front(), command.run});
     }
-    // "polygon 7": what is typed says how many corners.
+    // "polygon 7": the number that is typed is that of the corners.
     int corners = 0;
     const char* const digits =
         wanted.c_str() + std::min(wanted.find_first_of("123456789"), wanted.size());

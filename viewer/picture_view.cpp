@@ -144,7 +144,7 @@ void PictureView::draw_highlights(const Picture& picture, const AtlasFonts& font
                polygon && mark.subject.kind != Kind::region) {
       std::vector<ImVec2> points;
       for (const Point& p : polygon->points) points.push_back(vec(to_pixel(p)));
-      const Rect& clip = picture.clips[static_cast<std::size_t>(std::max(mark.clip, 0))];
+      const Rect& clip = picture.clips[std::max(mark.clip, 0)];
       list.PushClipRect(vec(to_pixel(clip.min)), vec(to_pixel(clip.max)), true);
       list.AddPolyline(points.data(), static_cast<int>(points.size()), ink, ImDrawFlags_Closed,
                        width);
@@ -326,8 +326,7 @@ void PictureView::press(const Subject& subject, const Point& page) {
   }
   if (subject.kind == Kind::phase) {
     app_.stop_playing();
-    const std::string_view phase =
-        session_.run().act->algorithm->phases[static_cast<std::size_t>(subject.x)];
+    const std::string_view phase = session_.run().act->algorithm->phases[subject.x];
     if (!session_.go_to_next(phase)) app_.say(fmt::format("this run has no step '{}'", phase));
     return;
   }

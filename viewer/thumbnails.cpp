@@ -22,7 +22,7 @@ Picture thumbnail(Lesson lesson, const Fonts& fonts) {
   const LessonView& view = run.lesson.views[0];
   if (shows_shapes(view.kind)) {
     const Rect usual{{0.0, 0.0}, kUsual * Point(page.width, page.height)};
-    pictures.lay_out(page, {Sight{camera_of(run, view, usual), page.width / page.height}},
+    pictures.lay_out(page, {CameraOverride{camera_of(run, view, usual), page.width / page.height}},
                      LabelScope::frame);
   }
   Picture picture = pictures.picture(answering_index(run));

@@ -34,7 +34,7 @@ struct CaseOptions {
   ScalarKind scalar = ScalarKind::double_;  ///< For point sets.
   ModelMethod method = ModelMethod::boxes;  ///< For outlines.
 };
-/// The needs of a method that outlines must meet.
+/// What a method requires of outlines.
 [[nodiscard]] models::Needs needs_of(ModelMethod method);
 /// Those of its trace.
 [[nodiscard]] models::Needs needs_of_trace(ModelMethod method);

@@ -62,7 +62,8 @@ Json solve(const CaseIn<D>& value, Json answer) {
   const Points<S, D> y = narrowed_all<S, D>(value.b);
   const gjk::Result<S, D> result = gjk::distance<S>(gjk::Query<S, D>{{x}, {y}});
   gjk::Error error = result.error;
-  // An exact run knows no largest number, its answer does; and a bound may lie above the distance.
+  // An exact run cannot overflow, but the doubles that are printed can; so can the upper bound when
+  // the distance itself does not.
   if (error == gjk::Error::none && !std::isfinite(widened(result.upper)))
     error = gjk::Error::overflow;
   if (error != gjk::Error::none) {

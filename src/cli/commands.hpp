@@ -80,10 +80,10 @@ int solve_command(const Environment& env, const std::vector<std::string>& files,
 /// that is not: kProblem then, and kCannot where a log cannot be read. "-" is standard input.
 int judge_command(const Environment& env, const std::vector<std::string>& files, bool json);
 
-/// Asks programs about families of pairs, and prints what they get wrong: kProblem where that is
-/// anything, kCannot where one answers nothing. Several stand in columns; of one there is the
-/// smallest failing case of each family, too, reduced, and in `out_dir` as a case and, in the
-/// plane, as a lesson.
+/// Asks programs about families of pairs, and prints what they get wrong: returns kProblem if there
+/// is anything, kCannot if a program answers nothing. Several programs stand in columns. For a
+/// single one the smallest failing case of each family is reduced, printed and written to `out_dir`
+/// as a case and, in the plane, as a lesson.
 int judge_programs_command(const Environment& env, const std::vector<std::string>& programs,
                            judging::TrialOptions options, const std::filesystem::path& out_dir,
                            bool json);
@@ -111,23 +111,9 @@ struct StudyOptions {
 /// Interrupted, it does so with what there is.
 int study_accuracy_command(const Environment& env, const StudyOptions& options);
 
-/// Times the frames of lessons with each effect and without, and prints a table; in `out_dir`
-/// effects.csv. Without names all lessons are meant. Interrupted, it does so with what there is.
-int study_effects_command(const Environment& env, LessonChoice choice, const StudyOptions& options);
-
-/// Measures the scenes with a clock of lessons against the size of their time step, and prints a
-/// table; in `out_dir` time-steps.csv. The rest is as with effects.
-int study_time_steps_command(const Environment& env, LessonChoice choice,
-                             const StudyOptions& options);
-
-/// Measures pictures with few samples a pixel by OpenGL against one with many, and prints a table;
-/// in `out_dir` pictures.csv. The rest is as with effects.
-int study_pictures_command(const Environment& env, LessonChoice choice,
-                           const StudyOptions& options);
-
 /// Times methods for general models on the outlines of lessons of the granularity `general-growth`,
-/// and prints a table; in `out_dir` models.toml, the table [growth.times] for such a lesson. The
-/// rest is as with effects.
+/// and prints a table; in `out_dir` models.toml, the table [growth.times] for such a lesson.
+/// Without names all lessons are meant. Interrupted, it does so with what there is.
 int study_models_command(const Environment& env, LessonChoice choice, const StudyOptions& options);
 
 /// "1280x720"; nullopt when it is not of that form.

@@ -28,9 +28,9 @@ struct FoundLesson {
 };
 [[nodiscard]] FoundLesson find_lesson(const Environment& env, const std::string& name);
 
-/// The lessons of a choice, in the order named, and of files of shapes one for each case; for all
-/// of them, that of the chapters. When any of them has a problem there are none, but an exit code:
-/// a list with a mistake in it is not done by half.
+/// The lessons of a choice, in the order named, and of files of shapes one for each case; all
+/// lessons are in the order of the chapters. If any of them has a problem there are none, but an
+/// exit code: a list is never done by half.
 struct FoundLessons {
   std::vector<Lesson> lessons;
   int exit_code = kDone;

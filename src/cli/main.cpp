@@ -430,49 +430,18 @@ void add_commands(CLI::App& app, Arguments& args) {
       "Examples:\n  gjkscope study accuracy --quick\n  gjkscope study accuracy --out study\n"
       "  gjkscope study accuracy --family needles --family \"nearly parallel\"\n");
 
-  const auto of_lessons = [&](const std::string& name, const std::string& what,
-                              const std::string& ending = ".csv") {
-    CLI::App* command = study->add_subcommand(name, what);
-    command->add_option("lesson", args.lessons.names,
-                        "Ids or files of lessons; all lessons if not given");
-    command->add_flag("--quick", args.study.quick, "Fewer repetitions");
-    command->add_option("--out", args.study.out_dir, "Folder for " + name + ending)
-        ->type_name("DIR");
-    return command;
-  };
-  of_lessons("effects", "What each effect costs in a frame")
-      ->footer(
-          "Builds the frames of each lesson with and without each of its effects, in turns. An "
-          "effect "
-          "that\n"
-          "no view or panel uses is never computed: the lesson timed against itself shows the "
-          "noise.\n"
-          "Interrupted (Ctrl-C), it prints what it has and ends with "
-          "130.\n\n"
-          "Examples:\n  gjkscope study effects polygons-gjk\n  gjkscope study effects --out "
-          "study\n");
-
-  of_lessons("time-steps", "What the steps of a clock cost")
-      ->footer(
-          "Lessons with a clock: the error of the state, and the time, against the size of the "
-          "step.\n"
-          "Lessons without are left out.\n\n"
-          "Examples:\n  gjkscope study time-steps\n  gjkscope study time-steps segment-balance\n");
-
-  of_lessons("models", "How long methods for outlines that are not convex take", ".toml")
-      ->footer(
-          "Lessons of the granularity general-growth: all pairs of segments, convex pieces, and\n"
-          "trees of boxes and circles, at each size. models.toml has the table [growth.times], "
-          "which\nthe lesson's file takes. Other lessons are left out.\n\n"
-          "Examples:\n  gjkscope study models --out study\n"
-          "  gjkscope study models general-growth --quick\n");
-
-  of_lessons("pictures", "What supersampling by OpenGL costs")
-      ->footer(
-          "Compares the last frame of each lesson with 1, 2 and 4 samples along each side of a "
-          "pixel\n"
-          "with the same frame with 16, all drawn by the renderer egl.\n\n"
-          "Examples:\n  gjkscope study pictures --quick\n  gjkscope study pictures polygons-gjk\n");
+  CLI::App* models =
+      study->add_subcommand("models", "How long methods for outlines that are not convex take");
+  models->add_option("lesson", args.lessons.names,
+                     "Ids or files of lessons; all lessons if not given");
+  models->add_flag("--quick", args.study.quick, "Fewer repetitions");
+  models->add_option("--out", args.study.out_dir, "Folder for models.toml")->type_name("DIR");
+  models->footer(
+      "Lessons of the granularity general-growth: all pairs of segments, convex pieces, and\n"
+      "trees of boxes and circles, at each size. models.toml has the table [growth.times], which\n"
+      "the lesson's file takes. Other lessons are left out.\n\n"
+      "Examples:\n  gjkscope study models --out study\n"
+      "  gjkscope study models general-growth --quick\n");
 }
 
 constexpr std::string_view kDrawn = "png, svg, pdf, tex, gif, apng, mp4, webm";
@@ -604,17 +573,8 @@ int run(const CLI::App& app, Arguments& args) {
   if (app.got_subcommand("explain")) return explain_command(env, args.name, args.json);
   if (app.got_subcommand("study")) {
     const CLI::App* study = app.get_subcommand("study");
-    if (study->got_subcommand("effects")) {
-      return study_effects_command(env, args.lessons, args.study);
-    }
-    if (study->got_subcommand("time-steps")) {
-      return study_time_steps_command(env, args.lessons, args.study);
-    }
     if (study->got_subcommand("models")) {
       return study_models_command(env, args.lessons, args.study);
-    }
-    if (study->got_subcommand("pictures")) {
-      return study_pictures_command(env, args.lessons, args.study);
     }
     return study_accuracy_command(env, args.study);
   }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <functional>
 #include <ostream>
 #include <stdexcept>
 
@@ -18,13 +17,10 @@
 #include "paint/canvas.hpp"
 #include "paint/png.hpp"
 #include "paint/svg.hpp"
+#include "study/accuracy_figures.hpp"
+#include "study/model_times.hpp"
 #include "study/report.hpp"
 #include "subjects/subjects.hpp"
-#include "survey/accuracy_figures.hpp"
-#include "survey/effects_cost.hpp"
-#include "survey/model_times.hpp"
-#include "survey/sampling_cost.hpp"
-#include "survey/time_steps.hpp"
 
 namespace gjkscope {
 namespace {
@@ -51,8 +47,8 @@ std::vector<Case> reported_cases(const Environment& env) {
   return out;
 }
 
-/// How far the study is, and how long it will take: a line a family, or on a terminal one line that
-/// changes.
+/// Reports progress and the time that is left: one line for each family or lesson, or on a terminal
+/// one line that changes.
 class Progress {
  public:
   explicit Progress(std::ostream& err) : err_(err), terminal_(::isatty(STDERR_FILENO) == 1) {}
@@ -186,93 +182,34 @@ int study_accuracy_command(const Environment& env, const StudyOptions& options) 
   return written ? kDone : kCannot;
 }
 
-namespace {
-
-/// Measures lessons one by one, and writes and prints what there is: a table, and a file of the
-/// same in `options.out_dir`.
-template <class Row>
-struct PerLesson {
-  std::function<std::vector<Row>(const Lesson&, const std::function<bool()>&)> measure;
-  std::function<std::string(const std::vector<Row>&)> table;
-  std::function<std::string(const std::vector<Row>&)> text;  ///< The text of the file.
-  std::string_view file;
-
-  [[nodiscard]] int run(const Environment& env, LessonChoice choice,
-                        const StudyOptions& options) const {
-    choice.all = choice.names.empty();
-    const FoundLessons found = find_lessons(env, choice);
-    if (found.exit_code != kDone) return found.exit_code;
-    if (!options.out_dir.empty()) make_folder(options.out_dir);
-
-    const SignalWatch watch;
-    const auto go_on = [] { return SignalWatch::signal() == 0; };
-    std::vector<Row> rows;
-    {
-      Progress progress(env.err);
-      for (std::size_t i = 0; i < found.lessons.size() && go_on(); ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(found.lessons.size());
-        progress.tell(share, found.lessons[i].id);
-        const std::vector<Row> more = measure(found.lessons[i], go_on);
-        rows.insert(rows.end(), more.begin(), more.end());
-      }
-    }
-    if (!options.out_dir.empty()) write_whole(options.out_dir / file, text(rows));
-    env.out << table(rows);
-    const bool written = flushed(env);
-    if (!go_on()) {
-      env.err << "gjkscope: interrupted; this is what there was\n";
-      return kSignalBase + SignalWatch::signal();
-    }
-    return written ? kDone : kCannot;
-  }
-};
-
-}  // namespace
-
-int study_effects_command(const Environment& env, LessonChoice choice,
-                          const StudyOptions& options) {
-  const Fonts fonts(env.share / "assets" / "fonts.toml");
-  const double seconds = options.quick ? 0.0 : 1.5;  // of timing a lesson, about
-  const PerLesson<EffectCost> study = {
-      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
-        return effects_cost(run_lesson(lesson), fonts, seconds, go_on);
-      },
-      effects_table, effects_csv, "effects.csv"};
-  return study.run(env, std::move(choice), options);
-}
-
-int study_time_steps_command(const Environment& env, LessonChoice choice,
-                             const StudyOptions& options) {
-  const int repetitions = options.quick ? 3 : 15;
-  const PerLesson<TimeStepCost> study = {
-      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
-        return time_step_costs(lesson, repetitions, go_on);
-      },
-      time_steps_table, time_steps_csv, "time-steps.csv"};
-  return study.run(env, std::move(choice), options);
-}
-
 int study_models_command(const Environment& env, LessonChoice choice, const StudyOptions& options) {
-  const int turns = options.quick ? 3 : 15;
-  const PerLesson<ModelTimes> study = {
-      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
-        return model_times(lesson, turns, go_on);
-      },
-      model_times_table, model_times_toml, "models.toml"};
-  return study.run(env, std::move(choice), options);
-}
+  choice.all = choice.names.empty();
+  const FoundLessons found = find_lessons(env, choice);
+  if (found.exit_code != kDone) return found.exit_code;
+  if (!options.out_dir.empty()) make_folder(options.out_dir);
 
-int study_pictures_command(const Environment& env, LessonChoice choice,
-                           const StudyOptions& options) {
-  const Fonts fonts(env.share / "assets" / "fonts.toml");
-  SamplingStudy sampling(fonts, Theme::load(env.share / "assets" / "themes", "light"));
-  const int repetitions = options.quick ? 3 : 9;
-  const PerLesson<SamplingCost> study = {
-      [&](const Lesson& lesson, const std::function<bool()>& go_on) {
-        return sampling.costs(lesson, repetitions, go_on);
-      },
-      sampling_table, sampling_csv, "pictures.csv"};
-  return study.run(env, std::move(choice), options);
+  const int turns = options.quick ? 3 : 15;
+  const SignalWatch watch;
+  const auto go_on = [] { return SignalWatch::signal() == 0; };
+  std::vector<ModelTimes> rows;
+  {
+    Progress progress(env.err);
+    for (std::size_t i = 0; i < found.lessons.size() && go_on(); ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(found.lessons.size());
+      progress.tell(share, found.lessons[i].id);
+      const std::vector<ModelTimes> more = model_times(found.lessons[i], turns, go_on);
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
+  }
+  if (!options.out_dir.empty())
+    write_whole(options.out_dir / "models.toml", model_times_toml(rows));
+  env.out << model_times_table(rows);
+  const bool written = flushed(env);
+  if (!go_on()) {
+    env.err << "gjkscope: interrupted; this is what there was\n";
+    return kSignalBase + SignalWatch::signal();
+  }
+  return written ? kDone : kCannot;
 }
 
 }  // namespace gjkscope

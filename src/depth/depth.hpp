@@ -181,7 +181,7 @@ template <class R = gjk::Default, class S, int D>
 
 namespace space {
 
-// Runs in space by the names beside Polytope and Face.
+// The names of a run in space, beside Polytope and Face.
 template <class R>
 using State = depth::State<R, 3>;
 template <class R>

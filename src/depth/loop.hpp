@@ -40,9 +40,9 @@ void find_support(State<R, D>& state, const gjk::Query<S, D>& query,
   state.support = gjk::support_point(query, prepared, gjk::farthest_pair(query, prepared, state.n));
 }
 
-/// In the plane exact arithmetic finds another corner of Z in each iteration, and there are no more
-/// than vertices of both shapes; rounding may find some twice. In space there may be as many as
-/// pairs of vertices; of large round shapes not all are waited for.
+/// The most iterations. In the plane exact arithmetic finds another corner of Z in each, and Z has
+/// no more corners than both shapes have vertices; rounding may find some twice. In space there may
+/// be as many as pairs of vertices, so runs on large round shapes end at a cap.
 template <class S, int D>
 [[nodiscard]] int iteration_cap(const gjk::Query<S, D>& query) {
   constexpr std::size_t kMost = 10000;

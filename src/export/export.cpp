@@ -43,7 +43,7 @@ constexpr int kSmallestHeight = 90;
 constexpr int kMostThreads = 64;
 constexpr int kFilmRate = 25;  // images a second of a film in which nothing moves
 
-/// Says on stderr how far the export is: a line a lesson, or on a terminal one line that changes.
+/// Reports progress on stderr: one line for each lesson, or on a terminal one line that changes.
 class Progress {
  public:
   Progress(const ExportOptions& options, std::size_t lesson_count)
@@ -167,7 +167,7 @@ void remove_stale_frames(const std::filesystem::path& folder, const std::string&
   }
 }
 
-/// All but the lesson that a file is made from.
+/// A sum over everything except the lesson that a file is made from.
 Fingerprint fingerprint_of(const ExportOptions& options, const Fonts& fonts) {
   Fingerprint sum;
   // The program itself: a version number does not change with each change of a drawing.
@@ -251,12 +251,12 @@ class Turntable {
   Turntable(const LessonRun& run, const Fonts& fonts, const Page& page)
       : page_(page), effects_(run), pictures_(run, effects_, fonts, page) {
     for (const LessonPictures::ShownView& view : pictures_.views())
-      sights_.push_back(Sight{view.camera, view.card.size().x() / view.card.size().y()});
+      cameras_.push_back(CameraOverride{view.camera, view.card.size().x() / view.card.size().y()});
   }
   /// The lesson's own eye has walked around by so many degrees.
   void turn_to(double degrees) {
-    std::vector<std::optional<Sight>> turned = sights_;
-    for (std::optional<Sight>& sight : turned) sight->camera.eye->azimuth += degrees;
+    CameraOverrides turned = cameras_;
+    for (std::optional<CameraOverride>& seen : turned) seen->camera.eye->azimuth += degrees;
     pictures_.lay_out(page_, turned, LabelScope::frame, pictures_.is_stacked());
   }
   [[nodiscard]] Picture picture(int index) { return pictures_.picture(index); }
@@ -265,7 +265,7 @@ class Turntable {
   Page page_;
   EffectGraph effects_;
   LessonPictures pictures_;
-  std::vector<std::optional<Sight>> sights_;
+  CameraOverrides cameras_;
 };
 
 class Exporter {
@@ -410,7 +410,7 @@ class Exporter {
           add_image(way, step, picture, ++between);
         add_image(way, step, way.pictures[at]);
       }
-      write_caption(file, way.texts[static_cast<std::size_t>(step - 1)]);
+      write_caption(file, way.texts[step - 1]);
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
     return true;
@@ -431,7 +431,7 @@ class Exporter {
       return;
     }
     may_write(file);
-    const FrameText& text = way.texts[static_cast<std::size_t>(step - 1)];
+    const FrameText& text = way.texts[step - 1];
     writer_.submit({picture, file, way.run.lesson.title, alternative_text(text),
                     record_text(way.record(key, step, step))});
   }
@@ -458,8 +458,8 @@ class Exporter {
   [[nodiscard]] std::vector<Picture> on_the_way(const LessonOnItsWay& way, int step) const {
     std::vector<Picture> out;
     if (step == way.steps.first) return out;
-    const Picture& from = way.pictures[static_cast<std::size_t>(step - 2)];
-    const Picture& to = way.pictures[static_cast<std::size_t>(step - 1)];
+    const Picture& from = way.pictures[step - 2];
+    const Picture& to = way.pictures[step - 1];
     const auto count = std::lround(kTweenSeconds * options_.fps);
     for (long i = 1; i < count; ++i) {
       out.push_back(tween(from, to, static_cast<double>(i) / static_cast<double>(count)));
@@ -531,7 +531,7 @@ class Exporter {
         if (!add_turning(*turntable, way.steps, step, seconds, show)) return false;
       } else {
         for (const Picture& picture : on_the_way(way, step)) show(picture, 1.0 / options_.fps);
-        show(way.pictures[static_cast<std::size_t>(step - 1)], seconds);
+        show(way.pictures[step - 1], seconds);
       }
       progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
     }
@@ -601,8 +601,8 @@ class Exporter {
                             {},
                             {}};
     for (int step = way.steps.first; step <= way.steps.last; ++step) {
-      exported.frames.push_back({step, file_of(way, step).filename().string(),
-                                 std::move(way.texts[static_cast<std::size_t>(step - 1)])});
+      exported.frames.push_back(
+          {step, file_of(way, step).filename().string(), std::move(way.texts[step - 1])});
     }
     if (options_.index && lesson.act == "course-map") {
       EffectGraph effects(way.run);

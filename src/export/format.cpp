@@ -1,8 +1,5 @@
 #include "export/format.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 
@@ -27,7 +24,5 @@ std::optional<Format> format_of(std::string_view name) {
 }
 
 std::string_view name_of(Format format) { return kNames[static_cast<std::size_t>(format)]; }
-
-std::string format_names() { return fmt::format("{}", fmt::join(kNames, ", ")); }
 
 }  // namespace gjkscope

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace gjkscope {
@@ -15,17 +14,11 @@ enum class Format { png, svg, pdf, tex, gif, apng, mp4, webm };
 [[nodiscard]] std::optional<Format> format_of(std::string_view name);
 [[nodiscard]] std::string_view name_of(Format format);
 [[nodiscard]] std::span<const Format> all_formats();
-/// "png, svg, ...": all of them.
-[[nodiscard]] std::string format_names();
 
 /// Each frame is a file of its own; of the others a lesson is one file.
 [[nodiscard]] constexpr bool has_file_per_frame(Format format) {
   return format == Format::png || format == Format::svg;
 }
 [[nodiscard]] constexpr bool is_film(Format format) { return format >= Format::gif; }
-/// Made of pixels, for which a renderer is needed.
-[[nodiscard]] constexpr bool has_pixels(Format format) {
-  return format == Format::png || is_film(format);
-}
 
 }  // namespace gjkscope

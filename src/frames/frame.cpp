@@ -88,7 +88,7 @@ bool may_stack(const Page& page) {
   return is_narrow(page) || is_slim(page) || (!page.bare && page.height > kSquarish * page.width);
 }
 
-/// `stacks`: whether views stand one below the other, of cards side by side and cards so.
+/// `stacks` decides whether views stand one below the other, given the cards of both arrangements.
 Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const Page& page,
                  const std::function<bool(const Cards& beside, const Cards& stacked)>& stacks) {
   const auto [width, height, zoom, bare, captions] = page;
@@ -326,23 +326,23 @@ struct LessonPictures::View {
 LessonPictures::LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
                                const Page& page, LabelScope scope)
     : run_(run), effects_(effects), fonts_(fonts), texts_(lesson_texts(run, effects)) {
-  lay_out(page, std::vector<std::optional<Sight>>(run.lesson.views.size()), scope);
+  lay_out(page, CameraOverrides(run.lesson.views.size()), scope);
 }
 
 LessonPictures::~LessonPictures() = default;
 
 namespace {
 
-Camera camera_in(const Sight& sight, const Rect& card) {
-  Camera camera = sight.camera;
-  camera.height *= std::max(1.0, sight.aspect * card.size().y() / card.size().x());
+Camera camera_in(const CameraOverride& seen, const Rect& card) {
+  Camera camera = seen.camera;
+  camera.height *= std::max(1.0, seen.aspect * card.size().y() / card.size().x());
   return camera;
 }
 
 }  // namespace
 
-void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights,
-                             LabelScope scope, std::optional<bool> stacked) {
+void LessonPictures::lay_out(const Page& page, const CameraOverrides& cameras, LabelScope scope,
+                             std::optional<bool> stacked) {
   page_ = page;
   scope_ = scope;
   views_.clear();
@@ -364,8 +364,8 @@ void LessonPictures::lay_out(const Page& page, const std::vector<std::optional<S
   const auto camera_on = [&](std::size_t view, const Rect& card) {
     // One that was set on shapes of the other dimension shows nothing of these.
     const bool fits =
-        sights[view] && sights[view]->camera.eye.has_value() == (run_.lesson.dimension == 3);
-    return fits ? camera_in(*sights[view], card) : camera_of(run_, run_.lesson.views[view], card);
+        cameras[view] && cameras[view]->camera.eye.has_value() == (run_.lesson.dimension == 3);
+    return fits ? camera_in(*cameras[view], card) : camera_of(run_, run_.lesson.views[view], card);
   };
   const auto scale = [&](std::size_t view, const Rect& card) {
     const Point room = (card.size() - kAround).cwiseMax(1.0);
@@ -563,17 +563,17 @@ Rect spare_part(const Rect& panel, const std::vector<Mark>& marks) {
 
 }  // namespace
 
-/// In the spare part of the panel: what is new in this frame, and as much of the rest as has room.
-/// Nothing where what is new has none.
+/// The legend in the spare part of the panel: entries that are new in this frame, then older ones
+/// as far as there is room. Empty if the new ones do not fit.
 std::vector<Mark> LessonPictures::legend_in(const Rect& spare, std::size_t index) {
-  std::size_t fresh = 0;
+  std::size_t unexplained = 0;
   for (std::size_t view = 0; view < views_.size(); ++view)
-    fresh += marks_to_explain(view, index).size();
+    unexplained += marks_to_explain(view, index).size();
   std::vector<LegendRow> rows = standing_legend(index);
   const auto fits = [&] {
     return (legend_size(rows, fonts_).array() <= spare.size().array()).all();
   };
-  while (rows.size() > fresh && !fits()) rows.erase(rows.begin());
+  while (rows.size() > unexplained && !fits()) rows.erase(rows.begin());
   return rows.empty() || !fits() ? std::vector<Mark>() : legend(rows, spare.min, fonts_);
 }
 
@@ -770,7 +770,7 @@ std::vector<FramePicture> lesson_pictures(const LessonRun& run, EffectGraph& eff
   LessonPictures pictures(run, effects, fonts, page);
   std::vector<FramePicture> out;
   for (int i = 0; i < static_cast<int>(run.frames.size()); ++i)
-    out.push_back({pictures.picture(i), pictures.texts()[static_cast<std::size_t>(i)]});
+    out.push_back({pictures.picture(i), pictures.texts()[i]});
   return out;
 }
 

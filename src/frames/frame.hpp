@@ -46,12 +46,14 @@ struct Page {
 /// place from frame to frame; or the first frame drawn alone, which is quicker.
 enum class LabelScope { lesson, frame };
 
-/// A camera in place of the lesson's. What it shows in a card of this aspect stays in sight when
-/// the card gets another aspect.
-struct Sight {
+/// A camera in place of the lesson's. A card of another aspect still shows everything that it shows
+/// in a card of this aspect.
+struct CameraOverride {
   Camera camera;
   double aspect = 1.0;  ///< Width over height of the card that it was set in.
 };
+/// One for each view; nothing for the lesson's own camera.
+using CameraOverrides = std::vector<std::optional<CameraOverride>>;
 
 /// The pictures of a lesson, each built when it is asked for. Labels of things that move keep their
 /// place from one picture asked for to the next.
@@ -68,10 +70,10 @@ class LessonPictures {
   LessonPictures(const LessonRun& run, EffectGraph& effects, const Fonts& fonts,
                  const Page& page = {}, LabelScope scope = LabelScope::lesson);
   ~LessonPictures();
-  /// The same frames on another page, or seen by other cameras than the lesson's: `sights` has one
+  /// The same frames on another page, or seen by other cameras than the lesson's: `cameras` has one
   /// for each view, nothing for the lesson's own. Nothing is run again. `stacked`: whether views
   /// stand one below the other, on a page that has room for both; without, as suits the lesson.
-  void lay_out(const Page& page, const std::vector<std::optional<Sight>>& sights, LabelScope scope,
+  void lay_out(const Page& page, const CameraOverrides& cameras, LabelScope scope,
                std::optional<bool> stacked = std::nullopt);
   [[nodiscard]] bool is_stacked() const { return stacked_; }
   /// While frames are laid out one by one (LabelScope::frame), the panel explains what `other` has
@@ -83,7 +85,7 @@ class LessonPictures {
   /// `index` is that of the frame in LessonRun::frames. Vertices pointed at are named in any case;
   /// all else stays where it is.
   [[nodiscard]] Picture picture(int index, std::span<const Subject> pointed = {}) {
-    return picture(index, texts_[static_cast<std::size_t>(index)], pointed);
+    return picture(index, texts_[index], pointed);
   }
   /// With other words than those of the frame.
   [[nodiscard]] Picture picture(int index, const FrameText& text,

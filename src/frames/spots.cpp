@@ -16,7 +16,7 @@ std::optional<Vector3d> vertex_of(const LessonRun& run, const Frame& frame, std:
   const std::vector<std::string>& names = run.lesson.bodies[body].vertex_names;
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
-  return run.run(frame).bodies[body].world[static_cast<std::size_t>(found - names.begin())];
+  return run.run(frame).bodies[body].world[found - names.begin()];
 }
 
 /// A difference of two vertices, in the difference.

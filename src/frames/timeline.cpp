@@ -126,8 +126,8 @@ std::vector<Mark> timeline_marks(const LessonRun& run, int current, const Fonts&
                     (area.size().x() - rest - gaps - kQuestionWidth * questions - first) / others);
   };
   double width = width_beside(0.0, count - questions);
-  // The first group has no shorter name: where its only tick is too narrow for it, it gets the
-  // room.
+  // The first group has no shorter name. If its only tick is too narrow for the name, the tick is
+  // made wider.
   double first_width = width;
   const double first_label = fonts.width(type::kTickBold, groups.front().label);
   if (groups.front().ticks.size() == 1 && brief(groups.front().label).empty() &&

@@ -127,8 +127,8 @@ void draw_cell(Scene& scene, Scene step, const Rect& cell, const Fonts& fonts) {
   }
 }
 
-/// Both bounds of the distance after each iteration. One that is no more than what rounding may
-/// have done to a distance of 0 is shown as 0.
+/// Both bounds of the distance after each iteration. A bound as small as the rounding error of a
+/// distance of 0 is shown as 0.
 std::vector<Mark> bounds_marks(const PositionedRun& run, const Fonts& fonts, const Rect& area) {
   PlotSeries upper{.style = PlotStyle::first, .name = "at most", .points = {}};
   PlotSeries lower{.style = PlotStyle::second, .name = "at least", .points = {}};

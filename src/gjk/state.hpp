@@ -34,7 +34,7 @@ enum class StopReason : std::uint8_t {
 template <class R, int D>
 struct State {
   Phase phase = Phase::closest;  ///< The phase to run next; stop once the run has ended.
-  Phase previous = Phase::add;   ///< The phase that ran last: several lead to stop.
+  Phase previous = Phase::add;   ///< The phase that ran last; more than one can lead to stop.
   int iteration = 1;
   Simplex<R, D> simplex;
   Face region = 0;  ///< Between closest and drop, the face that holds P; else the whole simplex.

@@ -102,8 +102,8 @@ struct Body {
     }
   }
 
-  /// The vertex that lies farthest along d, which is not 0; of equal ones the first. Doubles leave
-  /// only those whose order they cannot tell.
+  /// The vertex that lies farthest along d, which is not 0; of equal ones the first. Doubles rule
+  /// out most vertices; the others are compared exactly.
   [[nodiscard]] int farthest(const Vertex& d, int sign) const {
     Point along(to_double(d[0]), to_double(d[1]), to_double(d[2]));
     const double most = along.cwiseAbs().maxCoeff();
@@ -187,9 +187,9 @@ class Judge {
     const Extent extent = extent_of(vertices);
     return explained(extent.longest) * extent.thin;
   }
-  /// The same for which face of a simplex holds P. In the plane sides are told by edges, which are
-  /// no shorter than what they are off by; in space by areas and volumes, of the facets alone where
-  /// the whole has none.
+  /// The same for the choice of the face that holds P. In the plane edges decide it, which are no
+  /// shorter than their error; in space areas and volumes do, of the facets alone if the whole
+  /// simplex has no volume.
   [[nodiscard]] double explained_region(const std::vector<Vertex>& vertices) const {
     const double longest = extent_of(vertices).longest;
     if (log_.dimension == 2) return explained(longest);
@@ -210,11 +210,11 @@ class Judge {
     return fmt::format("{:.{}g}", value + 0.0, log_.digits);  // no -0
   }
   [[nodiscard]] std::string x_name(int i) const {
-    if (!log_.x_names.empty()) return log_.x_names[static_cast<std::size_t>(i)];
+    if (!log_.x_names.empty()) return log_.x_names[i];
     return fmt::format("{}{}", log_.a_is_x ? 'a' : 'b', i);
   }
   [[nodiscard]] std::string y_name(int i) const {
-    if (!log_.y_names.empty()) return log_.y_names[static_cast<std::size_t>(i)];
+    if (!log_.y_names.empty()) return log_.y_names[i];
     return fmt::format("{}{}", log_.a_is_x ? 'b' : 'a', i);
   }
   [[nodiscard]] std::string shape_name(bool of_x) const {
@@ -243,7 +243,7 @@ class Judge {
   }
   [[nodiscard]] std::string region(const Pairs& of, gjk::Face face) const {
     Pairs in_face;
-    for (const int i : gjk::vertices_of(face)) in_face.push_back(of[static_cast<std::size_t>(i)]);
+    for (const int i : gjk::vertices_of(face)) in_face.push_back(of[i]);
     const std::string listed = names(in_face);
     if (in_face.size() == 1) return "the region of the vertex " + listed;
     if (static_cast<int>(in_face.size()) == log_.dimension + 1)
@@ -253,8 +253,7 @@ class Judge {
   }
 
   [[nodiscard]] Vertex vertex(const VertexPair& pair) const {
-    return difference(y_.vertices[static_cast<std::size_t>(pair.y)],
-                      x_.vertices[static_cast<std::size_t>(pair.x)]);
+    return difference(y_.vertices[pair.y], x_.vertices[pair.x]);
   }
   [[nodiscard]] std::vector<Vertex> vertices(const Pairs& pairs) const {
     std::vector<Vertex> out;
@@ -318,8 +317,8 @@ class Judge {
                                    told ? "its pair is" : "the nearest is", name(nearest),
                                    shown(vertex(nearest)), number(off));
     for (const auto& [x, y] : told ? Pairs{*told} : all_pairs()) {
-      const Vertex& at_x = x_.vertices[static_cast<std::size_t>(x)];
-      const Vertex& at_y = y_.vertices[static_cast<std::size_t>(y)];
+      const Vertex& at_x = x_.vertices[x];
+      const Vertex& at_y = y_.vertices[y];
       if (length(Vertex(exact(point) - at_y - at_x)) <= allowed) {
         what += fmt::format("; it is the sum {} + {}", y_name(y), x_name(x));
         break;
@@ -487,8 +486,7 @@ class Judge {
       const std::vector<Vertex> all = vertices(base);
       const Nearest nearest = nearest_of(all);
       std::vector<Vertex> face;
-      for (const int k : gjk::vertices_of(nearest.face))
-        face.push_back(all[static_cast<std::size_t>(k)]);
+      for (const int k : gjk::vertices_of(nearest.face)) face.push_back(all[k]);
       const double allowed = std::max(explained_on(face), explained(extent_of(all).longest));
       if (!check_drop(i, base, all, nearest) || !check_weights(i, base, all, nearest, allowed) ||
           !check_closest(i, base, all, nearest, allowed) || !check_direction(i, base))
@@ -509,11 +507,10 @@ class Judge {
       Pairs missing;
       std::string weights;
       for (const int k : gjk::vertices_of(nearest.face)) {
-        const VertexPair& pair = base[static_cast<std::size_t>(k)];
+        const VertexPair& pair = base[k];
         if (holds(kept, pair)) continue;
         missing.push_back(pair);
-        weights += (weights.empty() ? "" : " and ") +
-                   number(to_double(nearest.weights[static_cast<std::size_t>(k)]));
+        weights += (weights.empty() ? "" : " and ") + number(to_double(nearest.weights[k]));
       }
       return fail(
           Part::drop, i,
@@ -910,7 +907,7 @@ class Judge {
     });
   }
 
-  /// Every step is right, but the run ends before P is the answer.
+  /// Checks for a run whose steps are all right, but that ends before P is the answer.
   void check_early_stop() {
     if (steps_.empty()) return;
     const std::size_t last = steps_.size() - 1;

@@ -27,7 +27,7 @@ inline constexpr double kUnits = 16;
 
 /// The part of a step that a finding is about.
 enum class Part : std::uint8_t {
-  vertex,     ///< A vertex of the simplex is a difference y - x, and comes from where it should.
+  vertex,     ///< Each vertex of the simplex is a difference y - x, and was in S or was added.
   drop,       ///< The kept vertices are those that P needs.
   weights,    ///< The barycentric coordinates of P.
   closest,    ///< P is the point of the simplex closest to O.
@@ -55,7 +55,7 @@ struct Judgement {
   int iterations = 0;
   double distance = 0;             ///< The exact one, rounded.
   bool overlap = false;            ///< The shapes meet, exactly.
-  std::optional<double> depth;     ///< The true one, where the answer tells of depth.
+  std::optional<double> depth;     ///< The true depth, if the answer has one.
   std::optional<Finding> wrong;    ///< The first step that is wrong.
   std::optional<Finding> answer;   ///< The fault of the answer.
   std::optional<Finding> waste;    ///< The first.

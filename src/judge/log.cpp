@@ -162,7 +162,7 @@ class Reader {
     has_shapes_ = problems_.empty();
   }
 
-  /// From the key, or from the first point.
+  /// Takes the dimension from its key or, without one, from the first point.
   void read_dimension(const json& value) {
     if (const json* told = member(value, "dimension")) {
       if (*told != 2 && *told != 3)

@@ -166,7 +166,7 @@ class CaseReader {
     return end;
   }
 
-  /// The library's message without its identifiers and position, which are told otherwise.
+  /// The library's message without its identifiers and position, which the problem has.
   [[nodiscard]] static std::string reason(std::string_view message) {
     const std::size_t colon = message.find(": ");
     return std::string(colon == std::string_view::npos ? message : message.substr(colon + 2));
@@ -263,7 +263,7 @@ class CaseReader {
       }
       gjk::Vec<double, D> read = gjk::Vec<double, D>::Zero();
       for (int k = 0; k < D; ++k) {
-        const json& given = point[static_cast<std::size_t>(k)];
+        const json& given = point[k];
         const std::optional<double> number = number_in(given);
         const bool is_finite = number && std::isfinite(*number);
         if (is_finite && std::abs(*number) <= limits_.magnitude) {
@@ -338,7 +338,7 @@ class CaseReader {
     std::string what;
     if (flaw.fault != models::Fault::no_outline) {
       path.push_back(std::to_string(flaw.outline));
-      const bool is_open = !outlines[static_cast<std::size_t>(flaw.outline)].closed;
+      const bool is_open = !outlines[flaw.outline].closed;
       if (is_open) path.emplace_back("open");
       if (flaw.other_index >= 0) {
         path.push_back(std::to_string(flaw.index));

@@ -71,9 +71,9 @@ struct ReadCase {
 };
 
 /// All cases of a text; `file` names it in problems. A text without any is a problem, too. A case
-/// that cannot be read does not keep the others from being read. What only knows the plane asks for
-/// dimensions up to 2, and others are problems. What takes outlines says what it needs of them.
-/// Points beyond `limits` are problems.
+/// that cannot be read does not keep the others from being read. A caller that knows only the plane
+/// asks for dimensions up to 2, and others are problems; a caller that takes outlines says what
+/// they must be like. Points beyond `limits` are problems.
 [[nodiscard]] std::vector<ReadCase> parse_cases(
     std::string_view text, std::string_view file, int most_dimension = 2,
     std::optional<models::Needs> outlines = std::nullopt, const CaseLimits& limits = {});

@@ -1,5 +1,5 @@
 #pragma once
-// Places in JSON texts, for what is told of their values.
+// Places in JSON texts, for messages about their values.
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>

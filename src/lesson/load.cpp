@@ -517,7 +517,7 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
   if (needs.start > 0 && !starts_so) {
     constexpr std::array<std::string_view, 4> kSimplices = {"single vertex", "segment", "triangle",
                                                             "tetrahedron"};
-    refuse(fmt::format("without a {}", kSimplices[static_cast<std::size_t>(needs.start - 1)]),
+    refuse(fmt::format("without a {}", kSimplices[needs.start - 1]),
            fmt::format("a point query whose 'start' names {} vertices", needs.start));
   }
 }

@@ -313,7 +313,7 @@ struct List {
   std::string name;          ///< "a" of a[0] = ..., and of a.push_back(...).
   bool is_geo_json = false;  ///< Its kind is a member `type`.
   bool is_run = false;       ///< Points that stand one after the other in a list.
-  int lines = 0;             ///< A run has points in so many.
+  int lines = 0;             ///< The number of lines that have points of a run.
   int last_line = -1;
   std::size_t second_line = 0;  ///< The first point there.
   std::vector<Number> numbers;
@@ -658,7 +658,7 @@ class FreeReader {
     add_list(parent, std::move(list));
   }
 
-  /// A list that was read, as what it means in the one around it.
+  /// Adds a list that was read to the list around it: as a point, a ring or a shape.
   void add_list(List& parent, List list) {
     const std::string kind = last_of(list.kind);
     const Geometry geometry = geometry_of(list);

@@ -95,8 +95,8 @@ struct Act {
   void (*words)(const Story& story, FrameText& text) = nullptr;
   /// Draws what the step adds to a view; layers below and above it do the rest.
   void (*stage)(SceneBuilder& scene) = nullptr;
-  /// Extends `seen` by what a view of run `index` shows beyond the shapes; a view without a camera
-  /// fits that, too.
+  /// Extends `seen` by everything that a view of run `index` shows beyond the shapes, so that a
+  /// view without a camera has room for it.
   void (*reach)(const LessonRun& run, int index, ViewKind view,
                 Eigen::AlignedBox2d& seen) = nullptr;
   /// The question of a frame that asks one; nullptr: one about a run of GJK.

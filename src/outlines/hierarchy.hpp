@@ -160,7 +160,7 @@ class Builder {
     tree_.nodes[index].volume = volume_of(tree_.nodes[index]);
     return index;
   }
-  /// By now the share of the node is in its place.
+  /// Needs the node's items in their final places.
   [[nodiscard]] Volume volume_of(const Node<Volume>& node) const {
     if constexpr (std::is_same_v<Volume, Box>) {
       return node.is_leaf()

@@ -5,7 +5,7 @@
 namespace models {
 namespace {
 
-const Point& at(const Ring& ring, int i) { return ring.points[static_cast<std::size_t>(i)]; }
+const Point& at(const Ring& ring, int i) { return ring.points[i]; }
 
 /// The feature as a segment, of no length for a vertex; outline and index as in the ring.
 Segment segment_of(const Ring& ring, const RingFeature& f) {
@@ -36,7 +36,7 @@ int toward(const Point& a, const Point& b, const Ring& other, const RingFeature&
   // dot(b - a, left normal of qr) = cross(qr, b - a); where a lies right of qr, the foot is to the
   // left.
   const int side = turn(q, r, a);
-  const int left = alike({-r.y(), r.x()}, {-q.y(), q.x()}, b, a);
+  const int left = dot_sign({-r.y(), r.x()}, {-q.y(), q.x()}, b, a);
   return side < 0 ? left : -left;
 }
 
@@ -87,8 +87,8 @@ void look_at_regions(WalkState& state, const WalkQuery& query, WalkStep& note) {
   }
 }
 
-/// Behind an edge: the edge of the same outline that is closest to the other's vertex. The vertex
-/// lies within the outline where it lies in front of none.
+/// Replaces an edge that the other's vertex lies behind by the edge of the same outline that is
+/// closest to that vertex. A vertex in front of no edge lies within the outline.
 void leave_back(WalkState& state, const WalkQuery& query, WalkStep& note) {
   const bool of_a = state.found.of_a;
   const Ring& ring = of_a ? query.a : query.b;

@@ -42,7 +42,7 @@ enum class WalkStop : std::uint8_t {
 /// One look whether a point lies across a border of a feature's Voronoi region.
 struct RegionTest {
   bool of_a = true;       ///< The region is of A's feature, the point B's.
-  RingFeature neighbour;  ///< Beyond the border. For the back of an edge, the edge itself.
+  RingFeature neighbour;  ///< The feature beyond the border; behind an edge, the edge itself.
   bool behind = false;    ///< The border is the edge itself, or of a straight vertex the next one.
   bool crossed = false;
 };

@@ -52,7 +52,7 @@ std::vector<CloudPoint> minkowski_hull(std::span<const Eigen::Vector2d> x,
   const auto corners_of = [](std::span<const Eigen::Vector2d> points,
                              const std::vector<int>& hull) {
     std::vector<Eigen::Vector2d> corners;
-    for (const int index : hull) corners.push_back(points[static_cast<std::size_t>(index)]);
+    for (const int index : hull) corners.push_back(points[index]);
     return corners;
   };
   const std::vector<CloudPoint> merged =
@@ -62,9 +62,8 @@ std::vector<CloudPoint> minkowski_hull(std::span<const Eigen::Vector2d> x,
   for (const CloudPoint& corner : merged) points.push_back(corner.z);
   std::vector<CloudPoint> hull;
   for (const int index : convex_hull(points)) {
-    const auto& [z, pair] = merged[static_cast<std::size_t>(index)];
-    hull.push_back(
-        {z, {hull_x[static_cast<std::size_t>(pair.x)], hull_y[static_cast<std::size_t>(pair.y)]}});
+    const auto& [z, pair] = merged[index];
+    hull.push_back({z, {hull_x[pair.x], hull_y[pair.y]}});
   }
   return hull;
 }

@@ -135,7 +135,7 @@ bool in_box(const Point& p, const Segment& s) {
 
 bool lies_on(const Point& p, const Segment& s) { return in_box(p, s) && turn(s.a, s.b, p) == 0; }
 
-/// A common point of segments that meet: an end of one, where there is such.
+/// Sets the common point of two segments that meet: an end of one of them if it is common.
 void set_meeting_spots(Nearest& pair) {
   const auto spot_on = [](const Point& p, const Segment& s) {
     return p == s.a ? Spot::start : p == s.b ? Spot::end : Spot::between;
@@ -176,12 +176,12 @@ int turn(const Point& a, const Point& b, const Point& c) {
                           [&] { return gjk::cross(exact_way(a, b), exact_way(a, c)); });
 }
 
-int alike(const Point& a, const Point& b, const Point& c, const Point& d) {
+int dot_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
   return sign_of_products({b.x(), a.x()}, {d.x(), c.x()}, 1, {b.y(), a.y()}, {d.y(), c.y()},
                           [&] { return gjk::dot(exact_way(a, b), exact_way(c, d)); });
 }
 
-int along(const Point& a, const Point& b, const Point& p) { return alike(a, b, a, p); }
+int along(const Point& a, const Point& b, const Point& p) { return dot_sign(a, b, a, p); }
 
 bool meet(const Segment& a, const Segment& b) {
   const bool boxes_meet = (a.a.cwiseMin(a.b).array() <= b.a.cwiseMax(b.b).array()).all() &&
@@ -201,7 +201,7 @@ int winding(const Point& point, const Segment& s) {
 int winding(const Point& point, const Model& model) {
   int around = 0;
   for (const Segment& s : model.segments) {
-    if (model.outlines[static_cast<std::size_t>(s.outline)].closed) around += winding(point, s);
+    if (model.outlines[s.outline].closed) around += winding(point, s);
   }
   return around;
 }
@@ -262,7 +262,7 @@ Rational distance_sq(const Nearest& pair) {
 
 Feature feature_of(const Segment& segment, Spot spot, const Model& model) {
   if (spot == Spot::between) return {false, segment.outline, segment.index};
-  const auto points = model.outlines[static_cast<std::size_t>(segment.outline)].points.size();
+  const auto points = model.outlines[segment.outline].points.size();
   const int index = segment.index + (spot == Spot::end ? 1 : 0);
   return {true, segment.outline, index == static_cast<int>(points) ? 0 : index};
 }

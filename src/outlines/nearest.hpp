@@ -17,7 +17,7 @@ namespace models {
 /// The sign of dot(b - a, p - a): 1 where p lies on b's side of the normal through a.
 [[nodiscard]] int along(const Point& a, const Point& b, const Point& p);
 /// The sign of dot(b - a, d - c).
-[[nodiscard]] int alike(const Point& a, const Point& b, const Point& c, const Point& d);
+[[nodiscard]] int dot_sign(const Point& a, const Point& b, const Point& c, const Point& d);
 /// Whether two closed segments have a point in common.
 [[nodiscard]] bool meet(const Segment& a, const Segment& b);
 /// A segment's share in the winding number of the outlines around `point`: 1 where it crosses the

@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::vector<int>;
 
-/// An outline of the matter: its corners, matter to the left, and what bounds it is in.
+/// A border of the inside: its corners in order, with the inside to their left.
 struct Border {
   Corners corners;
   bool is_hole = false;
@@ -42,9 +42,7 @@ class Cutter {
   }
 
  private:
-  [[nodiscard]] const Point& at(int corner) const {
-    return out_.points[static_cast<std::size_t>(corner)];
-  }
+  [[nodiscard]] const Point& at(int corner) const { return out_.points[corner]; }
   [[nodiscard]] int turn_at(int a, int b, int c) const { return turn(at(a), at(b), at(c)); }
 
   [[nodiscard]] int winding_within(const Outline& outline, const Point& p) const {
@@ -245,7 +243,7 @@ std::vector<Shape> shapes_of(const Model& model, const Pieces& pieces) {
     outline.insert(outline.end(), model.outlines[i].points.size(), static_cast<int>(i));
   }
   const auto segment_from = [&](int corner) {
-    return model.segments[static_cast<std::size_t>(corner)];  // closed: one for each point
+    return model.segments[corner];  // closed: one for each point
   };
   std::vector<Shape> shapes;
   for (const Corners& piece : pieces.pieces) {
@@ -253,8 +251,8 @@ std::vector<Shape> shapes_of(const Model& model, const Pieces& pieces) {
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const int from = piece[i];
       const int to = piece[(i + 1) % piece.size()];
-      const Point& p = pieces.points[static_cast<std::size_t>(from)];
-      const Point& q = pieces.points[static_cast<std::size_t>(to)];
+      const Point& p = pieces.points[from];
+      const Point& q = pieces.points[to];
       shape.points.push_back(p);
       const Box edge = box_around(Item{p, q});
       shape.box = i == 0 ? edge : box_around(shape.box, edge);
@@ -331,8 +329,8 @@ PiecesAnswer pieces_distance(const Model& a, const Model& b, const Pieces& piece
   std::optional<Nearest> best;
   for (const PieceRun& run : out.runs) {
     if (run.skipped || run.lower > least) continue;
-    for (const Segment& s : shapes_a[static_cast<std::size_t>(run.a)].borders) {
-      for (const Segment& t : shapes_b[static_cast<std::size_t>(run.b)].borders) {
+    for (const Segment& s : shapes_a[run.a].borders) {
+      for (const Segment& t : shapes_b[run.b].borders) {
         const Nearest pair = nearest(s, t);
         if (!best || pair < *best) best = pair;
       }

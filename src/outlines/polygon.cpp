@@ -115,8 +115,7 @@ bool differs_from_hull(std::span<const Vector2d> outline) {
   constexpr double kSeen = 1e-3;  // of the hull's area
   if (is_convex(outline)) return false;
   std::vector<Vector2d> hull;
-  for (const int corner : convex_hull(outline))
-    hull.push_back(outline[static_cast<std::size_t>(corner)]);
+  for (const int corner : convex_hull(outline)) hull.push_back(outline[corner]);
   const double area = signed_area(hull);
   return std::abs(area - std::abs(signed_area(outline))) > kSeen * area;
 }

@@ -50,9 +50,9 @@ namespace {
 using Points = std::span<const Vector3d>;
 using Triangle = std::array<int, 3>;
 
-const Vector3d& at(Points points, int i) { return points[static_cast<std::size_t>(i)]; }
+const Vector3d& at(Points points, int i) { return points[i]; }
 
-/// Index of the point for which `size` is largest.
+/// The index of the point for which `size` is largest.
 template <class Size>
 int farthest(Points points, const Size& size) {
   int best = 0;
@@ -346,20 +346,20 @@ Polyhedron exact_hull(std::span<const Vector3d> points) {
   complete(hull);
   std::vector<int> degree(all.size(), 0);
   for (const Polyhedron::Edge& edge : hull.edges) {
-    for (const int end : {edge.from, edge.to}) ++degree[static_cast<std::size_t>(end)];
+    for (const int end : {edge.from, edge.to}) ++degree[end];
   }
   const int count = static_cast<int>(points.size());
   std::erase_if(hull.vertices, [&](int vertex) { return vertex >= count; });
   // A corner of two faces alone lies on an edge; without it triangles have true vertices only.
   std::vector<int> kept;
   for (const int vertex : hull.vertices) {
-    if (degree[static_cast<std::size_t>(vertex)] > 2) kept.push_back(vertex);
+    if (degree[vertex] > 2) kept.push_back(vertex);
   }
   if (kept.size() < hull.vertices.size()) {
     std::vector<Vector3d> true_vertices;
     for (const int vertex : kept) true_vertices.push_back(at(points, vertex));
     hull = exact_hull(true_vertices);
-    const auto named = [&](int& vertex) { vertex = kept[static_cast<std::size_t>(vertex)]; };
+    const auto named = [&](int& vertex) { vertex = kept[vertex]; };
     for (Polyhedron::Face& face : hull.faces)
       std::for_each(face.vertices.begin(), face.vertices.end(), named);
     for (Polyhedron::Edge& edge : hull.edges) {
@@ -380,8 +380,8 @@ Polyhedron exact_hull(std::span<const Vector3d> points) {
 std::vector<std::vector<int>> neighbours_of(const Polyhedron& hull, std::size_t points) {
   std::vector<std::vector<int>> out(points);
   for (const Polyhedron::Edge& edge : hull.edges) {
-    out[static_cast<std::size_t>(edge.from)].push_back(edge.to);
-    out[static_cast<std::size_t>(edge.to)].push_back(edge.from);
+    out[edge.from].push_back(edge.to);
+    out[edge.to].push_back(edge.from);
   }
   for (std::vector<int>& ends : out) std::sort(ends.begin(), ends.end());
   return out;

@@ -34,8 +34,8 @@ struct SearchOptions {
   bool nearer_first = true;
   /// Take the larger of two volumes apart; else that of `a`, as Larsen's listing does.
   bool larger_first = true;
-  /// A pair of segments (within Model::segments) whose distance is the first candidate: that of the
-  /// frame before, say.
+  /// A pair of segments (indices into Model::segments) whose distance is the first candidate, for
+  /// example the answer of the frame before.
   std::optional<std::pair<int, int>> remembered = std::nullopt;
   /// Distance may come out at most this share too large.
   double relative_error = 0.0;

@@ -9,7 +9,7 @@
 namespace models {
 
 /// Circles of at most this radius that cover the segments, in their order along each.
-/// `radius` > 0; at most `most` circles a segment, of a larger radius where that does not do.
+/// `radius` > 0. A segment has at most `most` circles; a longer one has larger circles.
 [[nodiscard]] inline std::vector<Item> tiles_of(const Model& model, double radius,
                                                 int most = 1 << 16) {
   std::vector<Item> tiles;
@@ -33,15 +33,6 @@ namespace models {
 
 [[nodiscard]] inline Hierarchy<Circle> sphere_tree(const Model& model, double radius) {
   return build_hierarchy<Circle>(tiles_of(model, radius));
-}
-
-/// Options for searches in sphere trees. The answer is within (1 + relative_error) of the distance;
-/// whether models overlap stays exact.
-[[nodiscard]] inline SearchOptions sphere_tree_options(double relative_error = 0.0) {
-  SearchOptions options;
-  options.relative_error = relative_error;
-  options.table = true;
-  return options;
 }
 
 }  // namespace models

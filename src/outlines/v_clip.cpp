@@ -23,7 +23,7 @@ using Edge = gjkscope::Polyhedron::Edge;
 
 template <class T>
 const T& at(const std::vector<T>& all, int i) {
-  return all[static_cast<std::size_t>(i)];
+  return all[i];
 }
 template <class T>
 int count_of(const std::vector<T>& all) {
@@ -38,7 +38,7 @@ template <class N>
 Vec<N> along(const Body& body, int edge) {
   return way<N>(point(body, at(body.edges, edge).from), point(body, at(body.edges, edge).to));
 }
-/// Outwards, of any length.
+/// A normal that points outwards, of any length.
 template <class N>
 Vec<N> normal(const Body& body, const Body::Face& face) {
   const int third = count_of(face.vertices) / 3;  // corners far apart round least
@@ -531,7 +531,7 @@ Body body_of(std::vector<Vector3d> points) {
   body.spokes.resize(body.points.size());
   for (int i = 0; i < count_of(body.edges); ++i) {
     for (const int end : {at(body.edges, i).from, at(body.edges, i).to})
-      body.spokes[static_cast<std::size_t>(end)].push_back(i);
+      body.spokes[end].push_back(i);
   }
   const auto beyond = [&](int edge, int vertex) {
     const Edge& e = at(body.edges, edge);
@@ -554,20 +554,20 @@ Body body_of(std::vector<Vector3d> points) {
   // The edge before each directed edge, in the ring on its left: around a vertex it is the next.
   std::map<std::pair<int, int>, int> before;
   for (int f = 0; f < count_of(body.faces); ++f) {
-    Body::Face& face = body.faces[static_cast<std::size_t>(f)];
+    Body::Face& face = body.faces[f];
     const int count = count_of(face.vertices);
     for (int i = 0; i < count; ++i) {
       const int from = at(face.vertices, i);
       const int to = at(face.vertices, (i + 1) % count);
       face.edges.push_back(edge_of.at(std::minmax(from, to)));
-      Edge& edge = body.edges[static_cast<std::size_t>(face.edges.back())];
+      Edge& edge = body.edges[face.edges.back()];
       (edge.from == from ? edge.left : edge.right) = f;
     }
     for (int i = 0; i < count; ++i)
       before[{at(face.vertices, i), at(face.edges, i)}] = at(face.edges, (i + count - 1) % count);
   }
   for (const int v : body.vertices) {
-    std::vector<int>& spokes = body.spokes[static_cast<std::size_t>(v)];
+    std::vector<int>& spokes = body.spokes[v];
     if (spokes.size() < 3) continue;
     for (std::size_t i = 1; i < spokes.size(); ++i) spokes[i] = before.at({v, spokes[i - 1]});
   }

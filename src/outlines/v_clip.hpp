@@ -15,7 +15,7 @@
 // proved: the plane through each closest point, normal to the way between them, supports its body.
 // All decisions are exact.
 //
-// Lin and Canny left open how bodies that overlap are told; these rules are Mirtich's:
+// Lin and Canny left open how overlap is detected; these rules are Mirtich's:
 //
 //   clip         an edge against a face: of the part of the edge over the face the end at which
 //                the distance stops falling, by the sign of its derivative, is next

@@ -130,8 +130,8 @@ class CairoMarks {
   CairoMarks(cairo_t* cairo, const CairoFaces& faces, const Theme& theme, Medium medium,
              const Rect& page, double scale)
       : cairo_(cairo), faces_(faces), theme_(theme), medium_(medium), scale_(scale) {
-    // Cairo counts in 256ths of a pixel, up to 2^23 pixels. What is farther away than a page is
-    // cut off; ends of lines and heads of arrows there do not show.
+    // Cairo counts in 256ths of a pixel, up to 2^23 pixels. Lines are cut off more than a page
+    // away, because neither their ends nor heads of arrows show there.
     const Point beyond = page.size() + Point::Constant(kMargin);
     drawn_ = {page.min - beyond, page.max + beyond};
   }

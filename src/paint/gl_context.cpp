@@ -13,7 +13,7 @@
 namespace gjkscope {
 namespace {
 
-/// A library that stays to the end of the process, as its threads and its memory do.
+/// A library that is never closed, because its threads and memory live as long as the process.
 class Library {
  public:
   explicit Library(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW)) {

@@ -294,7 +294,7 @@ class MarkPainter {
     fill_convex(circle(center, 0.5 * style_->width, placement_.scale), paint);
   }
 
-  /// A line with round ends; square ones of the same area where nobody can tell.
+  /// A line with round ends; a thin line has square ends of the same area, which look the same.
   void straight(const Point& from, const Point& to, const Color& paint) const {
     const double radius = 0.5 * style_->width;
     if (radius * placement_.scale > kSquareEnds) {

@@ -24,7 +24,7 @@ struct PngChunk {
   std::string type;  ///< "IDAT"
   std::vector<std::uint8_t> data;
 };
-/// All chunks of a file; those before the first that is cut short, of one that is none, none.
+/// The chunks of a PNG file, up to the first that is cut short; none if the file is not a PNG.
 [[nodiscard]] std::vector<PngChunk> png_chunks(std::span<const std::uint8_t> file);
 /// A file of chunks.
 [[nodiscard]] std::vector<std::uint8_t> png_file(const std::vector<PngChunk>& chunks);

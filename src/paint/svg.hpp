@@ -10,7 +10,7 @@ namespace gjkscope {
 
 /// The picture as an SVG file: each mark an element, each text a text, in the faces of
 /// assets/fonts.toml or what stands for them where it is opened, `zoom` times as wide as it was
-/// laid out. `title` is what readers that do not see it are told. Each mark says its role
+/// laid out. `title` describes the picture to readers who cannot see it. Each mark says its role
 /// (data-mark) and, where it stands for something, what (data-of, as `subject_name` says). Same
 /// picture, same bytes. `record`: what the file says of itself to programs. `transparent`: no
 /// background.

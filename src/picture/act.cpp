@@ -16,7 +16,7 @@ bool asks_later(const LessonRun& run, int index) {
 }
 
 std::string position_in_run(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const bool asks = asks_later(run, index);
   if (frame.step < 0)
     return asks ? "start" : fmt::format("start · {} of {}", index + 1, run.frames.size());
@@ -29,7 +29,7 @@ std::string position_in_run(const LessonRun& run, int index) {
 }
 
 std::string position_on_path(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const std::string position = fmt::format("position {} of {}", frame.run + 1, run.runs.size());
   const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
   return has_clock ? fmt::format("{} · t = {} s", position, fixed(run.run(frame).time, 2))
@@ -65,14 +65,14 @@ std::string group_of_position(const LessonRun& run, const Frame& frame,
 void add_step_frames(LessonRun& run, int index,
                      bool (*shows)(const LessonRun&, int index, int step)) {
   run.frames.push_back({.run = index});
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   for (int i = 0; i <= last; ++i) {
     if (shows(run, index, i)) run.frames.push_back({.run = index, .step = i});
   }
 }
 
 void add_algorithm_frames(LessonRun& run, int index) {
-  const int steps = run.algorithm_traces[static_cast<std::size_t>(index)]->steps();
+  const int steps = run.algorithm_traces[index]->steps();
   for (int i = -1; i <= (steps > 0 ? steps : -1); ++i)
     run.frames.push_back({.run = index, .step = i});
 }
@@ -89,7 +89,7 @@ AlgorithmPart part_of(const LessonRun& run, const Frame& frame) {
 }  // namespace
 
 std::string position_in_algorithm(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const AlgorithmPart part = part_of(run, frame);
   if (part == AlgorithmPart::start) return "start";
   if (part == AlgorithmPart::answer)

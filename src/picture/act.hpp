@@ -20,7 +20,7 @@ struct Tick {
   std::string group;  ///< Ticks in a row with the same group share its label.
   std::string label = {};
   std::string short_label = {};  ///< Used when the label is wider than the tick.
-  bool event = false;            ///< A vertex dropped, containment, the end.
+  bool event = false;  ///< True when a vertex is dropped, O is contained, or the run ends.
   bool question = false;
 };
 
@@ -61,7 +61,7 @@ void add_algorithm_frames(LessonRun& run, int index);
 template <class Step>
 [[nodiscard]] const Step* last_step_over(const std::vector<Step>& steps, const Frame& frame) {
   const int last = std::min(frame.step, static_cast<int>(steps.size()) - 1);
-  return last < 0 ? nullptr : &steps[static_cast<std::size_t>(last)];
+  return last < 0 ? nullptr : &steps[last];
 }
 /// The first step up to that of `frame` that tells what is asked for.
 [[nodiscard]] int answering_step_of_run(const LessonRun& run, const Frame& before,

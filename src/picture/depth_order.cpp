@@ -37,8 +37,7 @@ Convex::Convex(std::vector<Facet> faces, const PointsInSpace& points)
     seen.emplace_back(point.head<2>());
     nearest = std::max(nearest, point.z());
   }
-  for (const int corner : convex_hull(seen))
-    outline.push_back(seen[static_cast<std::size_t>(corner)]);
+  for (const int corner : convex_hull(seen)) outline.push_back(seen[corner]);
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Point way = outline[(i + 1) % outline.size()] - outline[i];
     sides.push_back({{Vector3d(outline[i].x(), outline[i].y(), 0.0)},

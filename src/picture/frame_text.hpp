@@ -36,7 +36,7 @@ struct FrameQuestion {
   std::string ask;                   ///< "support", ...
   std::vector<std::string> choices;  ///< As the frame lists them.
   std::string answer;                ///< The next frame that asks nothing tells it.
-  /// The two to choose, in their order, if a choice is a pair, "K−A".
+  /// If a choice is a pair, "K−A": its two parts, each chosen by itself, in order.
   std::vector<VertexChoice> pair = {};
   std::vector<std::optional<Spot>> spots = {};  ///< For the choices, in order; or empty.
   /// The marks to point at for the choices, in order, none where there is no mark; or empty.

@@ -221,8 +221,8 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   const Point size = size_of(request.text, request.style);
   const auto known = places_.find(request.id);
   const bool moves = known != places_.end();
-  // A place for good is found among what stays in frames and the lines of all of them; for one that
-  // can be left, a line that passes is no matter. In a frame its own lines count.
+  // A place for all frames must avoid the lines of every frame, unless the label may step aside. A
+  // place for one frame must avoid the lines of that frame.
   const bool in_frame = !fixed || moves;
   const bool minds_passing = in_frame || !request.steps_aside;
   const auto centre = [&](const Kept& place) -> Point {

@@ -69,7 +69,7 @@ double length_in(const Rect& box, const Obstacles::Segment& segment) {
   return std::max(to - from, 0.0) * way.norm();
 }
 
-/// Pixels of lines: rather some of one than no word of what it means.
+/// Pixels of lines that a legend may cover: hiding a part of a line is better than not naming it.
 constexpr double kMostHidden = 40.0;
 
 /// Pixels that a box hides, the worst first: of marks that labels keep away from, and of lines that
@@ -90,7 +90,7 @@ Hidden hidden_by(const Rect& box, const Obstacles& obstacles) {
   return hidden;
 }
 
-/// The area that each row hides, from its upper left corner at `at`.
+/// The area that each row hides; the first row's upper left corner is `at`.
 std::vector<Rect> boxes_of(const std::vector<LegendRow>& rows, Point at, const Fonts& fonts) {
   std::vector<Rect> boxes;
   at.y() += 0.5 * kLegendPad;

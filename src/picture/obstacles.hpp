@@ -31,8 +31,8 @@ struct Obstacles {
     friend bool operator==(const Circle&, const Circle&) = default;
   };
   std::vector<Segment> segments;
-  /// Lines that cross the whole view for a while: rather not under a label, but no reason to send
-  /// it far away from what it names.
+  /// Lines that cross the whole view for a while. Labels avoid them, but not by moving far away
+  /// from what they name.
   std::vector<Segment> passing;
   std::vector<Circle> circles;
   /// Areas whose marks are too small and too many to keep off: labels stand on them, with a halo.
@@ -78,7 +78,7 @@ class Field {
 
   void add(const Shape& shape) { ++item(index_of(shape)).count; }
 
-  /// True if `meets` is for one of those that are in cells of the box.
+  /// True if `meets` is true for one of the obstacles in the cells of the box.
   template <class Meets>
   [[nodiscard]] bool any_near(const Rect& box, const Meets& meets) const {
     // As many marks as items, so that each item is asked once, whatever cells it is in.
@@ -113,7 +113,7 @@ class Field {
     }
   };
 
-  [[nodiscard]] Item& item(int index) { return items_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] Item& item(int index) { return items_[index]; }
   /// The index of a shape, which is added if it is new.
   [[nodiscard]] int index_of(const Shape& shape) {
     const auto [known, is_new] = known_.try_emplace(shape, static_cast<int>(items_.size()));

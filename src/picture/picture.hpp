@@ -65,13 +65,13 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 enum class Align { left, center, right };
-/// One line of text; `at` is on the base line.
 /// Part of a text with a role of its own.
 struct Tone {
   std::string text;
   std::string role;
   friend bool operator==(const Tone&, const Tone&) = default;
 };
+/// One line of text; `at` is on the base line.
 struct Text {
   Point at;
   std::string text;  ///< UTF-8

@@ -48,7 +48,7 @@ void Scene::append(const Scene& more) {
   add(obstacles.grounds, more.obstacles.grounds);
 }
 
-std::vector<Point> told_apart(const std::vector<Point>& points) {
+std::vector<Point> separate_points(const std::vector<Point>& points) {
   constexpr std::size_t kFew = 256;  // all of which are drawn
   constexpr double kApart = 0.5;
   if (points.size() <= kFew) return points;
@@ -278,7 +278,7 @@ void SceneBuilder::support_plane(const Eigen::Vector3d& w, const Eigen::Vector3d
   // Around the place of the plane that is nearest to the middle of the view.
   const Eigen::Vector3d from = map.center() - shift;
   Eigen::Vector3d center = from + n * n.dot(w - from);
-  // The part that is drawn has the support point.
+  // The part of the plane that is drawn contains the support point.
   const double reach = 0.9 * plane_half_width();
   if (const double away = (w - center).norm(); away > reach)
     center += (1.0 - reach / away) * (w - center);

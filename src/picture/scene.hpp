@@ -97,7 +97,7 @@ struct Scene {
 
 /// Corners of an outline, in frame pixels: of more than a few hundred those alone that can be told
 /// from the one before.
-[[nodiscard]] std::vector<Point> told_apart(const std::vector<Point>& points);
+[[nodiscard]] std::vector<Point> separate_points(const std::vector<Point>& points);
 
 /// How far apart points are, in frame pixels, if they are spread evenly over the box around them.
 [[nodiscard]] double room_of(const std::vector<Point>& points);

@@ -33,12 +33,11 @@ std::vector<bool> vertices_behind(const StageMap& map, const Polyhedron& solid,
                                   std::size_t points) {
   std::vector<bool> behind(points, false);
   if (solid.faces.empty()) return behind;
-  for (const int vertex : solid.vertices) behind[static_cast<std::size_t>(vertex)] = true;
+  for (const int vertex : solid.vertices) behind[vertex] = true;
   const std::vector<bool> front = faces_in_front(map, solid);
   for (std::size_t k = 0; k < front.size(); ++k) {
     if (!front[k]) continue;
-    for (const int vertex : solid.faces[k].vertices)
-      behind[static_cast<std::size_t>(vertex)] = false;
+    for (const int vertex : solid.faces[k].vertices) behind[vertex] = false;
   }
   return behind;
 }
@@ -46,7 +45,7 @@ std::vector<bool> vertices_behind(const StageMap& map, const Polyhedron& solid,
 std::optional<std::array<double, 2>> part_behind(const StageMap& map, const SolidBody& body,
                                                  const Vector3d& from, const Vector3d& to) {
   if (body.hull.faces.empty()) return std::nullopt;
-  const auto point = [&](int vertex) { return body.points[static_cast<std::size_t>(vertex)]; };
+  const auto point = [&](int vertex) { return body.points[vertex]; };
   double nearest = -std::numeric_limits<double>::infinity();
   double size = 0.0;
   for (const int vertex : body.hull.vertices) {
@@ -76,7 +75,7 @@ std::optional<std::array<double, 2>> part_behind(const StageMap& map, const Soli
   }
   for (std::size_t i = 0; is_flat && i < body.hull.edges.size(); ++i) {
     const Polyhedron::Edge& rim = body.hull.edges[i];
-    const Vector3d& on_left = body.hull.faces[static_cast<std::size_t>(rim.left)].normal;
+    const Vector3d& on_left = body.hull.faces[rim.left].normal;
     cut((point(rim.to) - point(rim.from)).cross(on_left).normalized(), point(rim.from), touching);
     if (inside.empty()) return std::nullopt;
   }
@@ -91,12 +90,11 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
   // From the upper left, in the directions of the screen.
   const Vector3d light = scene.map.axes().transpose() * Vector3d(-0.5, 0.6, 0.6).normalized();
   constexpr double kShaded = 0.35;
-  const auto at = [&](int vertex) { return scene.at(points[static_cast<std::size_t>(vertex)]); };
+  const auto at = [&](int vertex) { return scene.at(points[vertex]); };
   const std::string hidden = stuff == Stuff::core ? std::string() : role + ".hidden";
   /// An edge that its own body does not hide.
   const auto edge_in_front = [&](const Polyhedron::Edge& ends, const std::string& of) {
-    scene.line_in_space(of, points[static_cast<std::size_t>(ends.from)],
-                        points[static_cast<std::size_t>(ends.to)], hidden, subject);
+    scene.line_in_space(of, points[ends.from], points[ends.to], hidden, subject);
   };
   if (solid.faces.empty()) {
     for (const Polyhedron::Edge& ends : solid.edges) {
@@ -106,8 +104,9 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
     return;
   }
   const std::vector<bool> front = faces_in_front(scene.map, solid);
-  const auto is_front = [&](int face) { return front[static_cast<std::size_t>(face)]; };
-  // Among many short edges those behind cannot be told apart, and at last no edge or face can.
+  const auto is_front = [&](int face) { return front[face]; };
+  // Short edges that lie close together cannot be told apart: first those behind are left out, then
+  // all edges and faces.
   constexpr double kHiddenRoom = 32.0;
   constexpr double kRoom = 12.0;
   double length = 0.0;
@@ -119,8 +118,7 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
     } else if (is_front(ends.left)) {
       if (mean > kRoom) edge_in_front(ends, role + ".edge");
     } else if (mean > kHiddenRoom) {
-      scene.line_in_space(role + ".hidden", points[static_cast<std::size_t>(ends.from)],
-                          points[static_cast<std::size_t>(ends.to)], {}, subject);
+      scene.line_in_space(role + ".hidden", points[ends.from], points[ends.to], {}, subject);
     }
   }
   std::vector<Facet> facets;
@@ -131,12 +129,11 @@ void draw_solid(SceneBuilder& scene, const Polyhedron& solid, const std::vector<
     facet.is_shaded = mean > kRoom && light.dot(solid.faces[k].normal) <= kShaded;
     facet.corners.reserve(solid.faces[k].vertices.size());
     for (const int vertex : solid.faces[k].vertices)
-      facet.corners.push_back(scene.map.in_depth(points[static_cast<std::size_t>(vertex)]));
+      facet.corners.push_back(scene.map.in_depth(points[vertex]));
     facets.push_back(std::move(facet));
   }
   PointsInSpace corners;
-  for (const int vertex : solid.vertices)
-    corners.push_back(scene.map.in_depth(points[static_cast<std::size_t>(vertex)]));
+  for (const int vertex : solid.vertices) corners.push_back(scene.map.in_depth(points[vertex]));
   const auto shape = std::make_shared<const Convex>(std::move(facets), corners);
   scene.outline(shape->outline);
   scene.out.surfaces.push_back(

@@ -1,5 +1,5 @@
 #pragma once
-// The source of a frame's captions: its state, the names of things, and what is known by then.
+// The contents of a frame's captions: its state, the names of things, and what is known by then.
 
 #include <string>
 #include <string_view>

@@ -15,8 +15,7 @@ int view_of(const Picture& picture, const Mark& mark) {
   const Text* const text = std::get_if<Text>(&mark.shape);
   if (!text) return mark.clip;
   int view = static_cast<int>(picture.clips.size()) - 1;
-  while (view >= 0 && !overlap(picture.clips[static_cast<std::size_t>(view)], {text->at, text->at}))
-    --view;
+  while (view >= 0 && !overlap(picture.clips[view], {text->at, text->at})) --view;
   return view;
 }
 

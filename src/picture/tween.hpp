@@ -9,11 +9,11 @@ namespace gjkscope {
 inline constexpr double kTweenSeconds = 0.3;
 
 /// The picture at the share `t` of the way: `from` at 0 or less, `to` at 1 or more. In a view a
-/// mark that is in both moves at constant speed from where it was to where it is; what is new
-/// appears, and what is gone fades in its place, but for texts, which are gone at once. Marks are
-/// the same that have one role and kind, and stand for one subject (texts: have one wording); of
-/// several such the first is the first. What is outside of all views is that of `to`, and so is
-/// everything where the views themselves differ.
+/// mark that is in both moves at constant speed from its old to its new place. New marks appear,
+/// old ones fade in their place, and old texts are gone at once. Two marks are the same if they
+/// have one role, kind and subject (texts: one wording); of several such marks the first is the
+/// same as the first. Marks outside of all views are those of `to`; so are all marks if the views
+/// differ.
 [[nodiscard]] Picture tween(const Picture& from, const Picture& to, double t);
 
 }  // namespace gjkscope

@@ -80,8 +80,8 @@ class Fonts {
   /// Height of a capital letter above the base line.
   [[nodiscard]] double cap_height(const TextStyle& style) const;
 
-  /// The characters that every face can draw, in ascending order; what a painter prepares. Tested
-  /// face by face.
+  /// The characters that every face can draw, in ascending order: those that a painter prepares. A
+  /// test checks each face.
   [[nodiscard]] static const std::vector<char32_t>& characters();
   /// The first character of a text that is not among them, or 0.
   [[nodiscard]] static char32_t first_missing(std::string_view utf8);

@@ -99,8 +99,7 @@ std::string difference_as_written(const std::string& from, const std::string& mi
 
 std::string raised(int exponent) {
   std::string out(exponent < 0 ? kRaisedMinus : "");
-  for (const char digit : std::to_string(std::abs(exponent)))
-    out += kRaised[static_cast<std::size_t>(digit - '0')];
+  for (const char digit : std::to_string(std::abs(exponent))) out += kRaised[digit - '0'];
   return out;
 }
 

@@ -46,9 +46,7 @@ class Practice {
     schedule_.answer(is_right);
     answers_.push_back(is_right);
   }
-  void make() {
-    task_ = make_task(kinds_[static_cast<std::size_t>(schedule_.kind())], draws_.next());
-  }
+  void make() { task_ = make_task(kinds_[schedule_.kind()], draws_.next()); }
 
   std::span<const Kind> kinds_;
   std::uint64_t seed_;

@@ -25,7 +25,7 @@ int Schedule::kind() const {
 }
 
 void Schedule::answer(bool is_right) {
-  State& state = kinds_[static_cast<std::size_t>(kind())];
+  State& state = kinds_[kind()];
   state.last = task_;
   if (!is_right) {
     state.stage = 0;
@@ -33,7 +33,7 @@ void Schedule::answer(bool is_right) {
     ++state.stage;
   }
   if (state.stage == static_cast<int>(kOthers.size())) state.stage = -1;
-  if (state.stage >= 0) state.due = task_ + 1 + kOthers[static_cast<std::size_t>(state.stage)];
+  if (state.stage >= 0) state.due = task_ + 1 + kOthers[state.stage];
   ++task_;
 }
 

@@ -68,8 +68,7 @@ std::vector<Vector2d> polygon(Draws& draws, int least, int most, const Vector2d&
       points.emplace_back(middle + Vector2d(x, y));
     }
     std::vector<Vector2d> out;
-    for (const int corner : convex_hull(points))
-      out.push_back(points[static_cast<std::size_t>(corner)]);
+    for (const int corner : convex_hull(points)) out.push_back(points[corner]);
     const int count = static_cast<int>(out.size());
     if (count >= least && count <= most && stands_out(out)) return out;
   }
@@ -186,7 +185,7 @@ void draw_parallel(Draws& draws, Lesson& lesson) {
   const std::vector<Vector2d> more = one_of_pair(draws, 4.0);
   y.insert(y.end(), more.begin(), more.begin() + 2);
   std::vector<Vector2d> hull;
-  for (const int corner : convex_hull(y)) hull.push_back(y[static_cast<std::size_t>(corner)]);
+  for (const int corner : convex_hull(y)) hull.push_back(y[corner]);
   put_pair(lesson, x, hull);
 }
 
@@ -200,7 +199,7 @@ void draw_on_face(Draws& draws, Lesson& lesson) {
   draw_tetrahedron(draws, lesson);
   const std::vector<Vector3d>& corners = lesson.y().vertices;
   // The middle of a side and the middle between it and a third vertex.
-  const auto at = [&](int i) { return corners[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) { return corners[i]; };
   const int left_out = draws.among(0, 3);
   const Vector3d middle = 0.5 * (at((left_out + 1) % 4) + at((left_out + 2) % 4));
   lesson.x().vertices = {0.5 * (middle + at((left_out + 3) % 4))};

@@ -214,7 +214,7 @@ void draw_start(Draws& draws, const Kind& kind, Lesson& lesson) {
   const int of_x = static_cast<int>(lesson.x().vertices.size());
   const int of_y = static_cast<int>(lesson.y().vertices.size());
   for (int i = 0; i < kind.start; ++i) {
-    gjk::VertexPair& pair = start.pairs[static_cast<std::size_t>(i)];
+    gjk::VertexPair& pair = start.pairs[i];
     if (of_x == 1 && of_y == kind.start) {
       pair = {0, i};
       continue;
@@ -285,10 +285,10 @@ double size_of(const Lesson& lesson) {
   return size;
 }
 
-/// The axes, both ways, and the corners of a square, or a cube: arrows of one length, whose hull
-/// holds the disk, or ball, of radius 1. In the plane it is an octagon, 1 / cos(π/8) long. In space
-/// a face has the corners (1, 0, 0), (1, 1, 1) / √3 and (1, 1, -1) / √3, so its plane is
-/// x + (√3 - 1) y = 1.
+/// Arrows of one length along the axes, both ways, and to the corners of a square or a cube. Their
+/// hull holds the disk or ball of radius 1. In the plane it is an octagon, 1 / cos(π/8) long. In
+/// space a face has the corners (1, 0, 0), (1, 1, 1) / √3 and (1, 1, -1) / √3, so its plane is x +
+/// (√3 - 1) y = 1.
 std::vector<Vector3d> ways(int dimension) {
   const double length =
       std::sqrt(dimension == 2 ? 4.0 - 2.0 * std::sqrt(2.0) : 5.0 - 2.0 * std::sqrt(3.0));
@@ -338,7 +338,7 @@ bool is_far_from_ties(const Kind& kind, const Lesson& lesson, const Decision& fo
 bool has_choices(const Kind& kind, const LessonRun& run) {
   const WideTrace& trace = trace_of(run);
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
-    const WideStep& step = trace.steps[static_cast<std::size_t>(i)];
+    const WideStep& step = trace.steps[i];
     const WideSimplex& simplex = step.after.simplex;
     if (step.phase == Phase::direction && simplex.count > 1 && step.after.p_sq == 0.0) return true;
     if (step.phase == Phase::support && kind.on_paper == OnPaper::run &&
@@ -544,7 +544,7 @@ std::vector<Task> make_tasks(int chapter, int count, std::uint64_t seed) {
       for (const Kind& kind : kinds) order.push_back(&kind);
     }
     const auto at = draws.among(0, static_cast<int>(order.size()) - 1);
-    tasks.push_back(make_task(*order[static_cast<std::size_t>(at)], draws.next()));
+    tasks.push_back(make_task(*order[at], draws.next()));
     order.erase(order.begin() + at);
   }
   return tasks;

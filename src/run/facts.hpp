@@ -17,7 +17,7 @@ struct KnownFacts {
   bool has_ended = false;           ///< The step ends the run.
   bool distance = false;            ///< The answer, the length between the closest points.
   std::span<const gjk::RegionTest<double>> region_tests;  ///< Tests of a closest-point step.
-  bool gradual = false;                                   ///< Frames show them one by one.
+  bool gradual = false;                                   ///< Frames show the tests one by one.
   int tests_reached = -1;                                 ///< Index of the last one shown.
   int steps = 0;                                          ///< GJK's, when the frame ends.
   int support_calls = 0;                                  ///< Up to here.

@@ -39,7 +39,7 @@ Json scan(const std::vector<gjk::ScanEntry<double>>& entries,
   for (const gjk::ScanEntry<double>& entry : entries) {
     Json one;
     one["index"] = entry.index;
-    one["name"] = names[static_cast<std::size_t>(entry.index)];
+    one["name"] = names[entry.index];
     one["value"] = number(entry.value);
     one["improves"] = entry.improves;
     out.push_back(std::move(one));
@@ -53,8 +53,8 @@ Json vertex(const WideVertex& value, const std::string& name, const PositionedRu
   out["name"] = name;
   out["pair"] = {value.pair.x, value.pair.y};
   out["w"] = point(value.w.head(dimension));
-  out["x"] = point(run.x().world[static_cast<std::size_t>(value.pair.x)].head(dimension));
-  out["y"] = point(run.y().world[static_cast<std::size_t>(value.pair.y)].head(dimension));
+  out["x"] = point(run.x().world[value.pair.x].head(dimension));
+  out["y"] = point(run.y().world[value.pair.y].head(dimension));
   return out;
 }
 

@@ -21,9 +21,7 @@ class GjkTrace : public AlgorithmTrace {
   }
 
   [[nodiscard]] int steps() const override { return static_cast<int>(steps_.size()); }
-  [[nodiscard]] StepInfo info(int step) const override {
-    return steps_[static_cast<std::size_t>(step)];
-  }
+  [[nodiscard]] StepInfo info(int step) const override { return steps_[step]; }
   [[nodiscard]] double answer(std::string_view) const override {
     return std::numeric_limits<double>::quiet_NaN();
   }

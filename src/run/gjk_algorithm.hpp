@@ -3,7 +3,7 @@
 
 namespace gjkscope {
 
-/// GJK itself. Its trace is that of PositionedRun, from which its steps are told.
+/// GJK itself. Its trace is that of PositionedRun.
 extern const Algorithm kGjkAlgorithm;
 
 }  // namespace gjkscope

@@ -23,8 +23,8 @@ template <class S, int D>
   return pose;
 }
 
-/// Calls `ask` with the gjk::Query<S, D> of X and Y where the placements, one for each body, put
-/// them; what it borrows lives as long as the call. Returns what `ask` returns.
+/// Calls `ask` with the gjk::Query<S, D> of X and Y at their placements, of which there is one for
+/// each body, and returns its result. The query borrows points that live as long as the call.
 template <class S, int D, class Ask>
 decltype(auto) with_query_in(const Lesson& lesson, const std::vector<Placement>& at,
                              const Ask& ask) {

@@ -37,7 +37,7 @@ bool ends_by_itself(gjk::StopReason reason) {
 
 bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask, int step) {
   if (ask == asks::kSupport.name) {
-    const WideStep& asked = trace.steps[static_cast<std::size_t>(step)];
+    const WideStep& asked = trace.steps[step];
     const LessonShape& x = run.lesson.x();
     const LessonShape& y = run.lesson.y();
     return x.vertices.size() * y.vertices.size() > 1 &&
@@ -46,7 +46,7 @@ bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,
   }
   if (ask == asks::kDirection.name) {
     // A direction of a picture is a plane of directions in space.
-    const WideState& after = trace.steps[static_cast<std::size_t>(step)].after;
+    const WideState& after = trace.steps[step].after;
     return run.lesson.dimension == 2 && after.p_sq > 0.0 && after.d.squaredNorm() > 0.0;
   }
   return ask == asks::kStop.name || ask == asks::kWhy.name ||

@@ -38,15 +38,15 @@ DistanceBounds in_world(const gjk::Bounds<Real>& bounds, int exponent) {
           gjk::scaled_above(widened(bounds.upper), exponent)};
 }
 
-/// The places of both shapes at one time.
-struct Scenery {
+/// A position of all shapes, and the time at which they are there.
+struct Position {
   std::vector<Placement> placements{2};  ///< One for each body.
   double time = 0.0;
 };
 
 template <class S, int D, class BeforePhase = void (*)()>
 PositionedRun run_query(
-    const gjk::Query<S, D>& query, const gjk::Options& options, const Scenery& at,
+    const gjk::Query<S, D>& query, const gjk::Options& options, const Position& at,
     const BeforePhase& before_phase = [] {}) {
   const gjk::Trace<S, D> trace = gjk::trace<S>(query, options, before_phase);
   PositionedRun run{
@@ -74,7 +74,7 @@ gjk::Options with_start(gjk::Options options, const gjk::Query<double, D>& given
 }
 
 /// The shapes where they stand; GJK is not asked.
-PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
+PositionedRun standing_at(const Lesson& lesson, const Position& at) {
   return with_query(lesson, at.placements, [&]<class S, int D>(const gjk::Query<S, D>& query) {
     PositionedRun run;
     run.bodies = {{at.placements[0], world_vertices(query.x)},
@@ -85,7 +85,7 @@ PositionedRun standing_at(const Lesson& lesson, const Scenery& at) {
   });
 }
 
-PositionedRun run_at(const Lesson& lesson, const Scenery& at, const gjk::Options& options) {
+PositionedRun run_at(const Lesson& lesson, const Position& at, const gjk::Options& options) {
   const auto start = [&](const auto& given) { return with_start(options, given); };
   const gjk::Options started = lesson.dimension == 3
                                    ? with_query_in<double, 3>(lesson, at.placements, start)
@@ -134,14 +134,14 @@ Placement placement_at(const LessonShape& shape, const LessonMotion& motion, dou
   return placement;
 }
 
-std::vector<Scenery> sceneries_of(const Lesson& lesson) {
-  Scenery standing;
+std::vector<Position> positions_of(const Lesson& lesson) {
+  Position standing;
   for (std::size_t i = 0; i < lesson.bodies.size(); ++i)
     standing.placements[i] = {lesson.bodies[i].translate, lesson.bodies[i].rotate_degrees,
                               lesson.bodies[i].axis};
   if (!lesson.path_of_shapes) return {standing};
   const LessonPath& path = *lesson.path_of_shapes;
-  std::vector<Scenery> out;
+  std::vector<Position> out;
   if (path.seconds) {
     for (int i = 0; i < path.frames; ++i) {
       const double part = static_cast<double>(i) / (path.frames - 1);
@@ -281,13 +281,13 @@ LessonRun run_lesson(Lesson lesson, const Act& act) {
   LessonRun run;
   run.lesson = std::move(lesson);
   run.act = &act;
-  for (const Scenery& scenery : sceneries_of(run.lesson)) {
+  for (const Position& position : positions_of(run.lesson)) {
     const bool is_warm = run.lesson.warm_start && !run.runs.empty();
     const gjk::Options& cold = run.lesson.options;
     run.runs.push_back(
         act.algorithm->takes_outlines
-            ? standing_at(run.lesson, scenery)
-            : run_at(run.lesson, scenery, is_warm ? warm(cold, run.runs.back().trace) : cold));
+            ? standing_at(run.lesson, position)
+            : run_at(run.lesson, position, is_warm ? warm(cold, run.runs.back().trace) : cold));
     const AlgorithmTrace* before =
         run.algorithm_traces.empty() ? nullptr : run.algorithm_traces.back().get();
     run.algorithm_traces.push_back(act.algorithm->run(run.lesson, run.runs.back(), before));
@@ -302,7 +302,7 @@ Case case_of(const PositionedRun& run) {
 }
 
 Case case_of(const Lesson& lesson) {
-  return case_of(standing_at(lesson, sceneries_of(lesson).front()));
+  return case_of(standing_at(lesson, positions_of(lesson).front()));
 }
 
 PositionedRun run_afresh(const LessonRun& run, int index) {

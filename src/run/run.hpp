@@ -87,9 +87,13 @@ struct LessonRun {
 
   /// The trace of the act's algorithm in the run of a frame.
   [[nodiscard]] const AlgorithmTrace& algorithm_trace(const Frame& frame) const {
-    return *algorithm_traces[static_cast<std::size_t>(frame.run)];
+    return *algorithm_traces[frame.run];
   }
 
+  /// The question that a frame asks; only where Frame::question is not -1.
+  [[nodiscard]] const LessonQuestion& asked(const Frame& frame) const {
+    return lesson.questions[frame.question];
+  }
   /// The step of a frame in the algorithm that the act shows.
   [[nodiscard]] StepInfo info(const Frame& frame) const;
   /// The iteration of the step that answers a frame's question.

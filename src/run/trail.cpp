@@ -18,7 +18,7 @@ std::vector<Frame> frames_of_trail(const LessonRun& run) {
   std::vector<Frame> frames;
   int iteration = 0;
   for (int i = 0; i < static_cast<int>(steps.size()); ++i) {
-    const WideStep& step = steps[static_cast<std::size_t>(i)];
+    const WideStep& step = steps[i];
     if (std::exchange(iteration, step.iteration) != step.iteration) frames.push_back({.step = i});
     if (step.phase <= gjk::Phase::support) frames.back().step = i;
   }

@@ -55,7 +55,7 @@ std::string show_hulls(Lesson& lesson) {
 
 Lesson case_lesson(Lesson example, const ReadCase& read, const std::string& name) {
   using namespace case_lessons;
-  Lesson lesson = edit::told_of(std::move(example), read);
+  Lesson lesson = edit::with_shapes(std::move(example), read);
   lesson.id = name;
   lesson.path.clear();
   lesson.title = name;

@@ -74,7 +74,7 @@ Vector3d to_local(const Placement& placement, const Vector3d& world) {
 
 void put_vertex(Lesson& lesson, std::size_t body, int index, const Placement& placement,
                 const Vector3d& world) {
-  lesson.bodies[body].vertices[static_cast<std::size_t>(index)] = to_local(placement, world);
+  lesson.bodies[body].vertices[index] = to_local(placement, world);
 }
 
 void move_shape(Lesson& lesson, std::size_t body, const Vector3d& by) {
@@ -95,8 +95,7 @@ void nudge(Lesson& lesson, std::size_t body, int index, const PositionedRun& now
            const Vector3d& by) {
   const auto& world = now.bodies[body].world;
   if (index < 0 || world.size() == 1) return move_shape(lesson, body, by);
-  put_vertex(lesson, body, index, now.bodies[body].placement,
-             world[static_cast<std::size_t>(index)] + by);
+  put_vertex(lesson, body, index, now.bodies[body].placement, world[index] + by);
 }
 
 void turn_shape(Lesson& lesson, std::size_t body, double degrees) {
@@ -208,8 +207,7 @@ void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t se
       std::vector<Vector2d> points = {{-1.0, place()}, {1.0, place()}};
       for (int more = among(1, 6); more > 0; --more) points.emplace_back(place(), place());
       unit.clear();
-      for (const int corner : convex_hull(points))
-        unit.push_back(points[static_cast<std::size_t>(corner)]);
+      for (const int corner : convex_hull(points)) unit.push_back(points[corner]);
     }
     return unit;
   };
@@ -233,7 +231,7 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
   for (const VertexRange& outline : outlines) {
     const auto at = [&](int i) {
       const int index = outline.first + i % outline.count;
-      return vertices[static_cast<std::size_t>(index)];
+      return vertices[index];
     };
     for (int i = 0; i < outline.count; ++i) {
       const double distance = segment_distance(world, at(i), at(i + 1));
@@ -274,7 +272,7 @@ void keep_what_is_shown(Lesson& lesson) {
 }  // namespace
 
 template <int D>
-Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
+Lesson with_shapes(Lesson lesson, const CaseIn<D>& shapes) {
   const Lesson plain = lesson_of(shapes, "", lesson.scalar);
   lesson.x() = plain.x();
   lesson.y() = plain.y();
@@ -311,15 +309,15 @@ Lesson told_of(Lesson lesson, const CaseIn<D>& shapes) {
   return lesson;
 }
 
-template Lesson told_of(Lesson lesson, const CaseIn<2>& shapes);
-template Lesson told_of(Lesson lesson, const CaseIn<3>& shapes);
+template Lesson with_shapes(Lesson lesson, const CaseIn<2>& shapes);
+template Lesson with_shapes(Lesson lesson, const CaseIn<3>& shapes);
 
-Lesson told_of(Lesson lesson, const ReadCase& read) {
-  return read.in_space ? told_of(std::move(lesson), *read.in_space)
-                       : told_of(std::move(lesson), *read.value);
+Lesson with_shapes(Lesson lesson, const ReadCase& read) {
+  return read.in_space ? with_shapes(std::move(lesson), *read.in_space)
+                       : with_shapes(std::move(lesson), *read.value);
 }
 
-Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
+Lesson with_act(Lesson lesson, const Algorithm& algorithm) {
   const std::span<const Act* const> acts = registered_acts();
   const Act& act = **std::find_if(acts.begin(), acts.end(),
                                   [&](const Act* each) { return each->algorithm == &algorithm; });
@@ -352,7 +350,7 @@ Lesson told_by(Lesson lesson, const Algorithm& algorithm) {
   return lesson;
 }
 
-Lesson told_twice(Lesson lesson, std::optional<ScalarKind> beside) {
+Lesson with_second_run(Lesson lesson, std::optional<ScalarKind> beside) {
   const bool has_listing = lesson.has_block(blocks::kPseudocode.name);
   const std::string block(blocks::kTwoRuns.name);
   const std::string effect(SecondRun::kName);

@@ -45,8 +45,8 @@ bool erase_vertex(Lesson& lesson, std::size_t body, int index);
 /// flat.
 [[nodiscard]] std::vector<Eigen::Vector2d> regular_polygon(int corners);
 
-/// The shape becomes `unit`, whose coordinates lie in [-1, 1]: where the shape is, and as large; as
-/// the other one, in the place of a point. What names vertices that are gone is forgotten, as
+/// The shape becomes `unit`, whose coordinates lie in [-1, 1], at its own place and size; a point
+/// takes the size of the other shape. Names of vertices that are gone are forgotten, as
 /// erase_vertex does it.
 void reshape(Lesson& lesson, std::size_t body, const std::vector<Eigen::Vector2d>& unit);
 
@@ -54,23 +54,23 @@ void reshape(Lesson& lesson, std::size_t body, const std::vector<Eigen::Vector2d
 /// goes where it is apart from X, close to it or over it. `now`: where they are.
 void make_random_pair(Lesson& lesson, const PositionedRun& now, std::uint64_t seed);
 
-/// Beyond so many pairs of vertices told_of leaves out effects of all differences.
+/// With more pairs of vertices than this with_shapes leaves out effects of all differences.
 inline constexpr std::size_t kMostPairs = 100'000;
 
-/// The lesson told of the shapes of a case: what it says of its own is forgotten. Effects of all
-/// differences are, too, where those are more than can be drawn one by one.
-/// D: 2 or 3. What shows the plane alone goes with shapes in space.
+/// The lesson with the shapes of a case in place of its own, and without what it says of its own
+/// shapes. Effects of all differences go if there are too many to draw one by one; with shapes in
+/// space everything goes that shows only the plane. D: 2 or 3.
 template <int D>
-[[nodiscard]] Lesson told_of(Lesson lesson, const CaseIn<D>& shapes);
+[[nodiscard]] Lesson with_shapes(Lesson lesson, const CaseIn<D>& shapes);
 /// The shapes of a case that was read, without problems and without outlines.
-[[nodiscard]] Lesson told_of(Lesson lesson, const ReadCase& read);
+[[nodiscard]] Lesson with_shapes(Lesson lesson, const ReadCase& read);
 
-/// The same shapes, told by the act of an algorithm that follows GJK.
-[[nodiscard]] Lesson told_by(Lesson lesson, const Algorithm& algorithm);
+/// The same shapes with the act of an algorithm that follows GJK.
+[[nodiscard]] Lesson with_act(Lesson lesson, const Algorithm& algorithm);
 
 /// The lesson with a second run in another scalar beside its own, on the stage and in the panel;
 /// without a scalar, with none. Of the panel's blocks the listing stays: there is no room for more.
-[[nodiscard]] Lesson told_twice(Lesson lesson, std::optional<ScalarKind> beside);
+[[nodiscard]] Lesson with_second_run(Lesson lesson, std::optional<ScalarKind> beside);
 
 /// The edge of a shape's outlines (LessonShape::ranges) nearest to `world`: the index of its first
 /// vertex, and the distance.

@@ -258,10 +258,8 @@ bool Hand::move(const Point& page, bool snaps) {
   Vector3d by = now - before;
   if (!is_plane) {
     const bool is_point = is_vertex(held.subject);
-    const Vector3d from =
-        is_point
-            ? Vector3d(shape.world[static_cast<std::size_t>(index_of(held.subject))] - held.went)
-            : Vector3d(Vector3d::Zero());
+    const Vector3d from = is_point ? Vector3d(shape.world[index_of(held.subject)] - held.went)
+                                   : Vector3d(Vector3d::Zero());
     const Vector3d goal = snaps ? along_axis(held, page, from) : Vector3d(now - held.start);
     by = goal - held.went;
     held.went = goal;

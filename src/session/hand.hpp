@@ -21,8 +21,8 @@ namespace gjkscope {
 /// Sides from which space is seen: along y, along x, along z, across the frame's d, and along it.
 inline constexpr std::array<std::string_view, 5> kSides = {"front", "side", "top", "across d",
                                                            "along d"};
-/// The eye on one of these sides; nothing for any other name. Where there is no d yet, that
-/// is the shortest way between the shapes.
+/// The eye on one of these sides; nothing for any other name. Before the run has a d, the shortest
+/// way between the shapes takes its place.
 [[nodiscard]] std::optional<Eye> eye_from(std::string_view side, const LessonRun& run,
                                           const Frame& frame);
 
@@ -78,8 +78,8 @@ class Hand {
   /// Moves or turns what is held; `snaps`: by round numbers, and in space along the one axis that
   /// the pointer's way follows most. False while the press is a click.
   bool move(const Point& page, bool snaps);
-  /// False when it was let go where no run can be shown: Session::problem says why, and all is as
-  /// it was before.
+  /// Ends the drag. False when no run can be shown for the new place: then everything is as it was
+  /// before the drag, and Session::problem says why.
   bool release();
   /// Ends a drag as if it had not been. False as for release().
   bool cancel();

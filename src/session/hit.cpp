@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Subject::Kind;
 
-/// How well a mark is hit; lower is better, infinite is not at all.
+/// The score of a mark that is not hit; lower scores are better.
 constexpr double kMiss = HUGE_VAL;
 constexpr double kLine = 1e3;
 constexpr double kArea = 1e6;
@@ -68,7 +68,7 @@ Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, d
   Subject best;
   double best_score = kMiss;
   int view = static_cast<int>(picture.clips.size()) - 1;  // the topmost under p
-  while (view >= 0 && !is_in(picture.clips[static_cast<std::size_t>(view)], p)) --view;
+  while (view >= 0 && !is_in(picture.clips[view], p)) --view;
   for (const Mark& mark : picture.marks) {
     if (mark.subject.kind == Kind::none) continue;
     if (mark.clip >= 0 && mark.clip != view) continue;
@@ -84,7 +84,7 @@ Subject subject_at(const Picture& picture, const Fonts& fonts, const Point& p, d
 gjk::Face face_at(const std::vector<Eigen::Vector2d>& simplex, const VoronoiRegions::Value& regions,
                   const Eigen::Vector2d& p, double reach) {
   const int count = static_cast<int>(simplex.size());
-  const auto vertex = [&](int i) { return simplex[static_cast<std::size_t>(i)]; };
+  const auto vertex = [&](int i) { return simplex[i]; };
   const auto nearest = std::min_element(
       simplex.begin(), simplex.end(),
       [&](const auto& a, const auto& b) { return (p - a).norm() < (p - b).norm(); });
@@ -127,8 +127,7 @@ bool is_in_sight(const Picture& picture, const Rect& card) {
   // Marks of this card, not what the panel says of the same subjects.
   const auto is_of_card = [&](const Mark& mark) {
     return is_of_shapes(mark.subject) && mark.clip >= 0 &&
-           !std::holds_alternative<Text>(mark.shape) &&
-           overlap(picture.clips[static_cast<std::size_t>(mark.clip)], card);
+           !std::holds_alternative<Text>(mark.shape) && overlap(picture.clips[mark.clip], card);
   };
   bool has_any = false;
   for (const Mark& mark : picture.marks) {

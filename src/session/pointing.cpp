@@ -55,7 +55,7 @@ std::string nearest_spot(const FrameQuestion& question, const LessonPictures::Sh
 gjk::Face face_in_space_at(const std::vector<Vector3d>& simplex, const StageMap& map,
                            const Point& page) {
   const int count = static_cast<int>(simplex.size());
-  const auto at = [&](int i) { return map(simplex[static_cast<std::size_t>(i)]); };
+  const auto at = [&](int i) { return map(simplex[i]); };
   gjk::Face found = 0;
   double nearest = kReach;
   for (int i = 0; i < count; ++i) {
@@ -81,7 +81,7 @@ gjk::Face face_in_space_at(const std::vector<Vector3d>& simplex, const StageMap&
     gjk::Face face = 0;
     for (int i = 0; i < count; ++i) {
       if (i == left_out) continue;
-      corners.push_back(simplex[static_cast<std::size_t>(i)]);
+      corners.push_back(simplex[i]);
       face = static_cast<gjk::Face>(face | gjk::face_of(i));
     }
     const Point a = map(corners[0]);
@@ -122,8 +122,7 @@ std::string region_at(Session& session, const Hand& hand, std::size_t view, cons
   return face == 0 ? std::string() : SimplexWords(run, simplex).face(face);
 }
 
-/// The choice that names the face of a body in space under a place of the page, "face ABC" or
-/// "face ABC of Y".
+/// The choice that names the face under a place of the page, "face ABC" or "face ABC of Y".
 std::string face_choice_at(Session& session, const LessonPictures::ShownView& shown,
                            const Point& page) {
   const LessonRun& run = session.run();
@@ -157,8 +156,7 @@ std::string marked_choice(Session& session, const FrameQuestion& question, const
   for (const Mark& mark : picture.marks) {
     const auto found = std::find(question.subjects.begin(), question.subjects.end(), mark.subject);
     if (mark.subject.kind == Kind::none || found == question.subjects.end()) continue;
-    if (mark.clip >= 0 && !is_in(picture.clips[static_cast<std::size_t>(mark.clip)], page))
-      continue;
+    if (mark.clip >= 0 && !is_in(picture.clips[mark.clip], page)) continue;
     const std::optional<MarkPlace> place = place_of(mark);
     if (!place) continue;
     const double away = (page - place->middle).norm();
@@ -169,7 +167,7 @@ std::string marked_choice(Session& session, const FrameQuestion& question, const
     }
     if (!is_on || away >= nearest) continue;
     nearest = away;
-    chosen = question.choices[static_cast<std::size_t>(found - question.subjects.begin())];
+    chosen = question.choices[found - question.subjects.begin()];
   }
   return chosen;
 }
@@ -215,7 +213,7 @@ std::string name_of(const LessonRun& run, const Subject& subject) {
   if (subject.kind == Kind::difference_vertex) return run.pair_name({subject.x, subject.y});
   if (!is_vertex(subject)) return {};
   const LessonShape& shape = run.lesson.bodies[body_of(subject)];
-  return shape.vertex_names[static_cast<std::size_t>(index_of(subject))];
+  return shape.vertex_names[index_of(subject)];
 }
 
 std::optional<PointedChoice> pointed_choice(Session& session, const Hand& hand,

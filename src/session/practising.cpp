@@ -22,7 +22,7 @@ std::optional<bool> Practising::outcome(const Session& session) const {
   if (!is_shown(session)) return std::nullopt;
   bool right = true;
   for (int i = 0; i < session.frame_count(); ++i) {
-    if (session.run().frames[static_cast<std::size_t>(i)].question < 0) continue;
+    if (session.run().frames[i].question < 0) continue;
     const Answer* given = session.given(i);
     if (given == nullptr) return std::nullopt;
     right = right && given->is_right();

@@ -43,7 +43,7 @@ Camera camera_for(const LessonRun& run, LessonView view, const Rect& card, const
   return {seen.center, seen.height / camera_of(run, view, card).height, seen.stretch, {}};
 }
 
-Sight sight(const Camera& camera, const Rect& card) {
+CameraOverride override_of(const Camera& camera, const Rect& card) {
   return {camera, card.size().x() / card.size().y()};
 }
 
@@ -108,13 +108,13 @@ struct Session::Shown {
 Session::Session(const Fonts& fonts, FileReader read) : fonts_(fonts), read_(std::move(read)) {}
 Session::~Session() = default;
 
-std::optional<Lesson> Session::replace(Lesson lesson, std::vector<std::optional<Sight>> sights) {
-  sights.resize(lesson.views.size());
+std::optional<Lesson> Session::replace(Lesson lesson, CameraOverrides cameras) {
+  cameras.resize(lesson.views.size());
   std::swap(lesson_, lesson);
-  std::swap(sights_, sights);
+  std::swap(cameras_, cameras);
   if (show(LabelScope::lesson)) return lesson;
   lesson_ = std::move(lesson);
-  sights_ = std::move(sights);
+  cameras_ = std::move(cameras);
   return std::nullopt;
 }
 
@@ -122,7 +122,7 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   if (dragging_) end_drag();
   const bool is_first = !shown_;
   Whereabouts there{file_, saved_, index_};
-  std::vector<std::optional<Sight>> sights = sights_;
+  CameraOverrides cameras = cameras_;
   const std::optional<bool> stacked = std::exchange(stacked_, std::nullopt);
   std::optional<Lesson> before = replace(std::move(lesson), {});
   if (!before) {
@@ -133,7 +133,7 @@ bool Session::open(Lesson lesson, std::filesystem::path file, bool unsaved) {
   file_ = std::move(file);
   saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
   if (!is_first)
-    remember({"open " + lesson_.id, *std::move(before), std::move(there)}, std::move(sights));
+    remember({"open " + lesson_.id, *std::move(before), std::move(there)}, std::move(cameras));
   changed();
   return true;
 }
@@ -149,24 +149,25 @@ struct Session::Made {
 };
 
 std::function<std::shared_ptr<Session::Made>()> Session::maker(Lesson lesson) const {
-  std::vector<std::optional<Sight>> sights(lesson.views.size());
-  return maker(std::move(lesson), std::move(sights), std::nullopt, LabelScope::lesson, 0);
+  CameraOverrides cameras(lesson.views.size());
+  return maker(std::move(lesson), std::move(cameras), std::nullopt, LabelScope::lesson, 0);
 }
 
-std::function<std::shared_ptr<Session::Made>()> Session::maker(
-    Lesson lesson, std::vector<std::optional<Sight>> sights, std::optional<bool> stacked,
-    LabelScope scope, int index) const {
+std::function<std::shared_ptr<Session::Made>()> Session::maker(Lesson lesson,
+                                                               CameraOverrides cameras,
+                                                               std::optional<bool> stacked,
+                                                               LabelScope scope, int index) const {
   Lesson asked = to_run(lesson);
   Made asked_for{std::move(lesson), page_, scope, layout_, drags_, {}, nullptr};
-  return [this, asked = std::move(asked), made = std::move(asked_for), sights = std::move(sights),
+  return [this, asked = std::move(asked), made = std::move(asked_for), cameras = std::move(cameras),
           stacked, index]() mutable {
     LessonRun run = run_lesson(asked);
     made.problem = why_not_shown(run);
     if (made.problem.empty()) {
       const int last = static_cast<int>(run.frames.size()) - 1;
       made.shown = std::make_shared<Shown>(std::move(run), fonts_, nullptr);
-      made.shown->pictures.lay_out(made.page, sights, made.scope, stacked);
-      // Its marks are kept.
+      made.shown->pictures.lay_out(made.page, cameras, made.scope, stacked);
+      // Builds the frame's marks now; they are kept.
       (void)made.shown->pictures.picture(std::min(index, last));
     }
     return std::make_shared<Made>(std::move(made));
@@ -176,7 +177,7 @@ std::function<std::shared_ptr<Session::Made>()> Session::maker(
 std::function<std::shared_ptr<Session::Made>()> Session::work() {
   if (!wanted_ || making_) return nullptr;
   making_ = true;
-  return maker(lesson_, sights_, stacked_, *std::exchange(wanted_, std::nullopt), index_);
+  return maker(lesson_, cameras_, stacked_, *std::exchange(wanted_, std::nullopt), index_);
 }
 
 void Session::take_work(const std::shared_ptr<Made>& made) {
@@ -207,7 +208,7 @@ void Session::cancel_drag() {
   dragging_ = false;
   held_.reset();
   wanted_.reset();
-  sights_ = past_.back().sights;
+  cameras_ = past_.back().cameras;
   take_back_drag();
   shown_ = before.shown;
   index_ = before.index;
@@ -233,8 +234,7 @@ bool Session::open(const std::shared_ptr<Made>& made, std::filesystem::path file
   const bool is_first = !shown_;
   Whereabouts there{file_, saved_, index_};
   Lesson before = std::exchange(lesson_, std::move(made->lesson));
-  std::vector<std::optional<Sight>> sights =
-      std::exchange(sights_, std::vector<std::optional<Sight>>(lesson_.views.size()));
+  CameraOverrides cameras = std::exchange(cameras_, CameraOverrides(lesson_.views.size()));
   shown_ = std::move(made->shown);
   wanted_.reset();
   before_drag_.reset();
@@ -250,7 +250,7 @@ bool Session::open(const std::shared_ptr<Made>& made, std::filesystem::path file
   file_ = std::move(file);
   saved_ = unsaved ? nullptr : std::make_shared<const Lesson>(lesson_);
   if (!is_first)
-    remember({"open " + lesson_.id, std::move(before), std::move(there)}, std::move(sights));
+    remember({"open " + lesson_.id, std::move(before), std::move(there)}, std::move(cameras));
   changed();
   return true;
 }
@@ -280,10 +280,10 @@ std::vector<Session::Unsaved> Session::all_unsaved() const {
 
 bool Session::reload(Lesson lesson) {
   if (dragging_) end_drag();
-  std::vector<std::optional<Sight>> sights = sights_;
+  CameraOverrides cameras = cameras_;
   std::optional<Lesson> before = replace(std::move(lesson), {});
   if (!before) return false;
-  remember({"reload", *std::move(before)}, std::move(sights));
+  remember({"reload", *std::move(before)}, std::move(cameras));
   saved_ = std::make_shared<const Lesson>(lesson_);
   changed();
   return true;
@@ -306,10 +306,10 @@ void Session::changed() {
   unsaved_ = !saved_ || lesson_ != *saved_;
 }
 
-void Session::remember(Entry entry, std::vector<std::optional<Sight>> sights) {
+void Session::remember(Entry entry, CameraOverrides cameras) {
   future_.clear();
   entry.id = std::exchange(id_, ++last_id_);
-  entry.sights = std::move(sights);
+  entry.cameras = std::move(cameras);
   past_.push_back(std::move(entry));
   std::size_t all = 0;
   for (const Entry& each : past_) all += weight(each.lesson);
@@ -324,11 +324,11 @@ bool Session::edit(const std::string& name, Lesson lesson) {
   problems_ = why_not_said(lesson, read_);
   problem_ = to_string(problems_);
   if (!problem_.empty()) return false;
-  std::vector<std::optional<Sight>> sights = sights_;
+  CameraOverrides cameras = cameras_;
   hold_cameras();
-  std::optional<Lesson> before = replace(std::move(lesson), sights_);
+  std::optional<Lesson> before = replace(std::move(lesson), cameras_);
   if (!before) return false;
-  remember({name, *std::move(before)}, std::move(sights));
+  remember({name, *std::move(before)}, std::move(cameras));
   changed();
   return true;
 }
@@ -338,7 +338,7 @@ bool Session::revert() { return saved_ && edit("revert", *saved_); }
 void Session::begin_drag(const std::string& name, std::optional<std::size_t> held) {
   if (dragging_) end_drag();
   if (is_settling()) show(LabelScope::lesson);
-  remember({name, lesson_}, sights_);
+  remember({name, lesson_}, cameras_);
   hold_cameras();
   problems_.clear();
   problem_.clear();
@@ -392,19 +392,19 @@ bool Session::swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to, C
   from.pop_back();
   std::swap(lesson_, entry.lesson);
   std::swap(id_, entry.id);
-  std::vector<std::optional<Sight>> then = std::exchange(entry.sights, sights_);
-  if (cameras == Cameras::as_then) sights_ = std::move(then);
+  CameraOverrides then = std::exchange(entry.cameras, cameras_);
+  if (cameras == Cameras::as_then) cameras_ = std::move(then);
   std::optional<int> index;
   if (entry.of_other) {
     const Whereabouts there = std::exchange(*entry.of_other, {file_, saved_, index_});
-    sights_.clear();
+    cameras_.clear();
     stacked_.reset();
     file_ = there.file;
     saved_ = there.saved;
     index = there.index;
   }
   to.push_back(std::move(entry));
-  sights_.resize(lesson_.views.size());
+  cameras_.resize(lesson_.views.size());
   changed();
   show(LabelScope::lesson);
   if (index) go_to(*index);
@@ -459,7 +459,7 @@ Lesson Session::lesson_as_seen() const {
   Lesson lesson = lesson_;
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < lesson.views.size(); ++i) {
-    if (!sights_[i]) continue;
+    if (!cameras_[i]) continue;
     lesson.views[i].eye = seen[i].camera.eye;
     lesson.views[i].camera = camera_for(run(), lesson.views[i], seen[i].card, seen[i].camera);
   }
@@ -493,8 +493,7 @@ void Session::put(std::shared_ptr<Shown> shown) {
   const bool first = !shown_;
   const bool was_answer = !first && index_ == answering_index(run());
   const bool was_trail = !first && is_trail(frame());
-  const Moment was =
-      first || was_answer || was_trail ? Moment{} : moments()[static_cast<std::size_t>(index_)];
+  const Moment was = first || was_answer || was_trail ? Moment{} : moments()[index_];
   shown_ = std::move(shown);
   index_ = first        ? 0
            : was_answer ? answering_index(run())
@@ -504,14 +503,14 @@ void Session::put(std::shared_ptr<Shown> shown) {
 
 void Session::lay_out(LabelScope scope) {
   ++layout_;
-  shown_->pictures.lay_out(page_, sights_, scope, stacked_);
+  shown_->pictures.lay_out(page_, cameras_, scope, stacked_);
   stacked_ = shown_->pictures.is_stacked();
   picture_.reset();
 }
 
 const LessonRun& Session::run() const { return shown_->run; }
 int Session::frame_count() const { return static_cast<int>(shown_->run.frames.size()); }
-const Frame& Session::frame() const { return shown_->run.frames[static_cast<std::size_t>(index_)]; }
+const Frame& Session::frame() const { return shown_->run.frames[index_]; }
 EffectGraph& Session::effects() { return shown_->effects; }
 
 std::vector<Session::Moment> Session::moments() const {
@@ -536,10 +535,9 @@ int Session::find(const Moment& wanted) const {
   const std::vector<Moment> all = moments();
   int best = 0;
   for (int i = 1; i < frame_count(); ++i) {
-    const Moment& moment = all[static_cast<std::size_t>(i)];
-    if (run().frames[static_cast<std::size_t>(i)].question >= 0) continue;
-    if (key(moment) <= key(wanted) && key(moment) >= key(all[static_cast<std::size_t>(best)]))
-      best = i;
+    const Moment& moment = all[i];
+    if (run().frames[i].question >= 0) continue;
+    if (key(moment) <= key(wanted) && key(moment) >= key(all[best])) best = i;
   }
   return best;
 }
@@ -559,7 +557,7 @@ bool Session::step(int by) {
 
 bool Session::step_iteration(int by) {
   const auto group = [&](int i) {
-    const Frame& frame = run().frames[static_cast<std::size_t>(i)];
+    const Frame& frame = run().frames[i];
     return std::pair(frame.run, run().info(frame).iteration);
   };
   int to = index_;
@@ -577,7 +575,7 @@ bool Session::step_iteration(int by) {
 bool Session::go_to_next(std::string_view phase) {
   for (int k = 1; k <= frame_count(); ++k) {
     const int i = (index_ + k) % frame_count();
-    const Frame& frame = run().frames[static_cast<std::size_t>(i)];
+    const Frame& frame = run().frames[i];
     if (frame.question >= 0 || run().info(frame).phase != phase) continue;
     go_to(i > index_ ? std::min(i, last_told()) : i);
     return true;
@@ -690,11 +688,10 @@ FrameText Session::told() const {
     const Answer* answer = given(i);
     if (answer) ++count;
     if (answer && !answer->is_right()) all_right = false;
-    verdicts +=
-        verdict(*texts()[static_cast<std::size_t>(i)].question, answer, Numbers(lesson_)) + " ";
+    verdicts += verdict(*texts()[i].question, answer, Numbers(lesson_)) + " ";
   }
   if (count == 0) return text;
-  const std::string& reason = texts()[static_cast<std::size_t>(first)].question->reason;
+  const std::string& reason = texts()[first].question->reason;
   text.is_right = all_right;
   if (asks) {
     verdicts.pop_back();
@@ -708,8 +705,7 @@ FrameText Session::told() const {
 
 int Session::last_told() const {
   int at = index_;
-  while (at + 1 < frame_count() && !(texts()[static_cast<std::size_t>(at)].question && !given(at)))
-    ++at;
+  while (at + 1 < frame_count() && !(texts()[at].question && !given(at))) ++at;
   return at;
 }
 
@@ -762,8 +758,7 @@ const Picture& Session::picture() {
   for (int i = first_told(); i <= index_; ++i) {
     const Answer* answer = given(i);
     if (answer != nullptr) {
-      add_verdict(*picture_, run(), views(), *texts()[static_cast<std::size_t>(i)].question,
-                  *answer);
+      add_verdict(*picture_, run(), views(), *texts()[i].question, *answer);
     }
   }
   return *picture_;
@@ -812,7 +807,7 @@ Subject Session::vertex_near(const Point& page, double reach) {
   return nearest;
 }
 
-const FrameText& Session::text() const { return texts()[static_cast<std::size_t>(index_)]; }
+const FrameText& Session::text() const { return texts()[index_]; }
 
 const std::vector<FrameText>& Session::texts() const { return shown_->pictures.texts(); }
 
@@ -820,7 +815,7 @@ std::vector<LessonPictures::ShownView> Session::views() const { return shown_->p
 
 void Session::set_camera(std::size_t view, const Camera& camera) {
   if (!shows_shapes(lesson_.views[view].kind) || is_trail(frame())) return;
-  sights_[view] = sight(camera, views()[view].card);
+  cameras_[view] = override_of(camera, views()[view].card);
   lay_out(LabelScope::frame);
 }
 
@@ -833,7 +828,7 @@ void Session::set_eye(const Eye& eye) {
     camera.eye = Eye{std::remainder(eye.azimuth, 360.0),
                      std::clamp(eye.elevation, -limits::kUpright, limits::kUpright)};
     is_other = is_other || camera.eye != seen[i].camera.eye;
-    sights_[i] = sight(camera, seen[i].card);
+    cameras_[i] = override_of(camera, seen[i].card);
   }
   if (is_other) lay_out(LabelScope::frame);
 }
@@ -849,8 +844,8 @@ void Session::hold_cameras() {
   if (!shown_) return;
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (shows_shapes(seen[i].kind) && !sights_[i] && !lesson_.views[i].camera)
-      sights_[i] = sight(seen[i].camera, seen[i].card);
+    if (shows_shapes(seen[i].kind) && !cameras_[i] && !lesson_.views[i].camera)
+      cameras_[i] = override_of(seen[i].camera, seen[i].card);
   }
 }
 
@@ -860,7 +855,7 @@ void Session::fit() {
   const std::vector<LessonPictures::ShownView> seen = views();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     // A view without a camera of its own fits what it shows, on whatever card.
-    sights_[i].reset();
+    cameras_[i].reset();
     if (shows_shapes(seen[i].kind) && lesson_.views[i].camera) fit(i, seen[i].card);
   }
   lay_out(LabelScope::lesson);
@@ -870,7 +865,7 @@ void Session::fit(std::size_t view, const Rect& card) {
   LessonView free = lesson_.views[view];
   free.camera.reset();
   free.eye = views()[view].camera.eye;
-  sights_[view] = sight(camera_of(run(), free, card), card);
+  cameras_[view] = override_of(camera_of(run(), free, card), card);
 }
 
 bool Session::is_difference_in_sight(const LessonPictures::ShownView& view) const {
@@ -887,8 +882,8 @@ bool Session::is_difference_in_sight(const LessonPictures::ShownView& view) cons
   const Eigen::Vector2d half =
       0.5 * view.camera.units_per_pixel(view.card.size().y()).cwiseProduct(view.card.size());
   const Eigen::Vector2d center = seen(view.camera.center);
-  const Eigen::AlignedBox2d sight(center - half, center + half);
-  return sight.contains(Eigen::AlignedBox2d(y.min() - x.max(), y.max() - x.min()));
+  const Eigen::AlignedBox2d in_view(center - half, center + half);
+  return in_view.contains(Eigen::AlignedBox2d(y.min() - x.max(), y.max() - x.min()));
 }
 
 void Session::keep_difference_in_sight() {

@@ -245,7 +245,7 @@ class Session {
     Lesson lesson;
     std::optional<Whereabouts> of_other = std::nullopt;  ///< When another lesson was opened.
     long id = 0;
-    std::vector<std::optional<Sight>> sights = {};
+    CameraOverrides cameras = {};
   };
   struct Shown;
   /// A place in the run, to find it again in another.
@@ -261,9 +261,9 @@ class Session {
   /// False when no question is open.
   bool take(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.
-  std::optional<Lesson> replace(Lesson lesson, std::vector<std::optional<Sight>> sights);
+  std::optional<Lesson> replace(Lesson lesson, CameraOverrides cameras);
   /// With the cameras that `lesson` was seen with.
-  void remember(Entry entry, std::vector<std::optional<Sight>> sights);
+  void remember(Entry entry, CameraOverrides cameras);
   [[nodiscard]] static std::vector<Kept> kept(const std::vector<Entry>& entries);
   /// Undo and redo: the lesson changes places with the last entry of `from`, which goes to `to`.
   bool swap_with_last(std::vector<Entry>& from, std::vector<Entry>& to, Cameras cameras);
@@ -274,9 +274,9 @@ class Session {
   /// In place of what is shown, at the same place of the run.
   void put(std::shared_ptr<Shown> shown);
   /// Makes pictures of the lesson, and that of a frame, seen by these cameras.
-  [[nodiscard]] std::function<std::shared_ptr<Made>()> maker(
-      Lesson lesson, std::vector<std::optional<Sight>> sights, std::optional<bool> stacked,
-      LabelScope scope, int index) const;
+  [[nodiscard]] std::function<std::shared_ptr<Made>()> maker(Lesson lesson, CameraOverrides cameras,
+                                                             std::optional<bool> stacked,
+                                                             LabelScope scope, int index) const;
   /// The lesson as before the drag that is the last entry of the history, and no longer is.
   void take_back_drag();
   /// The lesson is another one than before.
@@ -325,7 +325,7 @@ class Session {
   bool predicting_ = false;
   bool asking_ = false;
   std::vector<Answer> answers_;
-  std::vector<std::optional<Sight>> sights_;
+  CameraOverrides cameras_;
   std::optional<bool> stacked_;  ///< Cards keep their place on this page, until all is fitted.
   std::shared_ptr<Shown> shown_;
   long layout_ = 0;  ///< Grows with each.

@@ -67,12 +67,15 @@ class Verdict {
   }
   /// All of its marks, as a node and its volume.
   void marks_of(const Subject& subject, const std::string& role, bool strikes) {
-    const std::vector<Mark> marks = picture_.marks;
-    for (const Mark& mark : marks) {
+    const std::size_t drawn = picture_.marks.size();
+    for (std::size_t i = 0; i < drawn; ++i) {
+      const Mark& mark = picture_.marks[i];
+      if (mark.subject != subject) continue;
       const std::optional<MarkPlace> place = gjkscope::place_of(mark);
-      if (mark.subject != subject || !place) continue;
-      if (place->corners.empty()) ring(place->middle, role, strikes);
-      if (!place->corners.empty())
+      if (!place) continue;
+      if (place->corners.empty())
+        ring(place->middle, role, strikes);
+      else
         picture_.marks.push_back({role, Polyline{place->corners, true}, mark.clip, {}});
     }
   }

@@ -516,7 +516,7 @@ class SiteWriter {
             {"files", std::move(files)}};
   }
 
-  /// Whether the run of the lesson has a step that can be asked for before it is told.
+  /// Whether the run of the lesson has a step that a question can ask for.
   [[nodiscard]] static bool asks(Lesson lesson) {
     lesson.questions.clear();
     for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)

@@ -453,8 +453,7 @@ class Source {
   template <int D>
   void repeat_vertices(Points<D>& points) {
     for (int i = among(1, 4); i > 0; --i) {
-      const Point<D> copy =
-          points[static_cast<std::size_t>(among(0, static_cast<int>(points.size()) - 1))];
+      const Point<D> copy = points[among(0, static_cast<int>(points.size()) - 1)];
       const auto at = std::find(points.begin(), points.end(), copy);
       points.insert(
           with_chance(0.6) ? at : points.begin() + among(0, static_cast<int>(points.size())), copy);
@@ -638,9 +637,7 @@ class Source {
   [[nodiscard]] Pair<double, 3> nearly_touching(int y_contact, double grid, bool floats) {
     Pair<double, 3> out = touching<3>(y_contact, grid);
     Points<3>& points = with_chance(0.5) ? out.x : out.y;
-    double& value =
-        points[static_cast<std::size_t>(among(0, std::min(2, static_cast<int>(points.size()) - 1)))]
-              [among(0, 2)];
+    double& value = points[among(0, std::min(2, static_cast<int>(points.size()) - 1))][among(0, 2)];
     const double to = with_chance(0.5) ? 1e9 : -1e9;
     value = floats ? double{std::nextafter(static_cast<float>(value), static_cast<float>(to))}
                    : std::nextafter(value, to);

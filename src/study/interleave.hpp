@@ -20,7 +20,7 @@ void keep(const T& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// One way of doing the work, on things prepared beforehand.
+/// One way of doing the work, on data that were prepared beforehand.
 struct Contestant {
   /// Answers every query once. Returns the sum of the answers, by which a contestant that does
   /// other work than the rest is found out.
@@ -72,10 +72,10 @@ struct Timing {
 }
 
 /// Runs all contestants `repetitions` times, in another order each time: caches and branch
-/// predictors remember who came before, and nobody should always follow a contestant that did the
-/// same work. With `least_seconds`, a contestant takes as many sweeps in a turn as fill them, and
-/// one more before the clock starts. `go_on` is asked before each turn: when it says no, the
-/// repetitions that are complete are what there is.
+/// predictors remember the contestant before, so none should always follow one that did the same
+/// work. With `least_seconds`, a contestant repeats its sweep in a turn until these are over, after
+/// one sweep that is not timed. When `go_on` says no before a turn, only complete repetitions are
+/// returned.
 [[nodiscard]] inline std::vector<Timing> interleave(
     const std::vector<Contestant>& contestants, std::size_t queries, std::size_t repetitions,
     const std::function<bool()>& go_on = [] { return true; }, double least_seconds = 0.0) {

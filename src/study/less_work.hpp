@@ -36,8 +36,8 @@ struct Contender {
 /// Why `less` may take longer than `more` all the same, by what was counted.
 [[nodiscard]] std::string reason_for(const Contender& less, const Contender& more);
 
-/// One that does less is listed when it took over this times as long in at least three quarters of
-/// the repetitions: when the lower quartile of the ratio is above it.
+/// A configuration that does less is listed when it took more than this many times as long in at
+/// least three quarters of the repetitions: when the lower quartile of the ratio is above it.
 inline constexpr double kCostlier = 1.05;
 
 /// Compares all contenders on a family, `timings` in the same order.

@@ -19,8 +19,8 @@ constexpr double kWidth = 720;
 constexpr double kHeight = 420;
 constexpr double kLeft = 64;
 constexpr double kRight = 16;
-constexpr double kTop = 46;        ///< Above it: pairs without an answer.
-constexpr double kBottom = 62;     ///< Below the axis: its numbers and name.
+constexpr double kTop = 46;        ///< The room above the axes, for pairs without an answer.
+constexpr double kBottom = 62;     ///< The room below the axis, for its numbers and name.
 constexpr double kNoneBand = 26;   ///< Between the largest error and these.
 constexpr double kExactBand = 26;  ///< Between the least error and the axis: answers without error.
 

@@ -145,8 +145,8 @@ struct gjk::ScalarTraits<gjkscope::Quad> {
   [[nodiscard]] static Quad scaled(const Quad& a, int exponent) {
     return a * Quad::power_of_two(exponent);
   }
-  /// The range of sizes that coordinates in double can have, whose products are far from over- and
-  /// underflow here.
+  /// The exponents that coordinates in double can have: products of such coordinates are far from
+  /// over- and underflow in quad.
   static constexpr int kLeastExponent = -1080;
   static constexpr int kLargestExponent = 1030;
   template <int degree = 2>

@@ -20,8 +20,8 @@
 namespace gjkscope::study {
 namespace {
 
-/// a * 2^exponent, of which 64 digits are left. Where that drops any the last one is odd, so that a
-/// double comes of it as from the whole.
+/// a * 2^exponent, cut off after 64 digits. If any were dropped, the last one is set to 1, so that
+/// rounding to double gives the same as rounding the whole number.
 long double rounded(const Integer& a, long exponent) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   if (a.is_zero()) return 0;
@@ -159,7 +159,7 @@ struct OnGrid {
   }
 
   [[nodiscard]] Point<D> difference(const gjk::VertexPair& pair) const {
-    return minus<D>(y[static_cast<std::size_t>(pair.y)], x[static_cast<std::size_t>(pair.x)]);
+    return minus<D>(y[pair.y], x[pair.x]);
   }
   /// The vertex of Z with the least dot product with `normal`.
   [[nodiscard]] gjk::VertexPair least_along(const Point<D>& normal) const {
@@ -167,7 +167,7 @@ struct OnGrid {
       int best = 0;
       Integer best_value;
       for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-        Integer value = dot<D>(normal, points[static_cast<std::size_t>(i)]);
+        Integer value = dot<D>(normal, points[i]);
         if (i == 0 || value.compare(best_value) * sign > 0) {
           best = i;
           best_value = std::move(value);
@@ -331,7 +331,7 @@ Solved<D> solve(const OnGrid<D>& shapes, std::vector<gjk::VertexPair> pairs) {
     std::vector<Point<D>> z;
     for (const gjk::VertexPair& pair : pairs) z.push_back(shapes.difference(pair));
     Solved<D> out{nearest<D>(z), {}};
-    for (const int i : out.p.face) out.face.push_back(pairs[static_cast<std::size_t>(i)]);
+    for (const int i : out.p.face) out.face.push_back(pairs[i]);
     if (out.p.is_origin) return out;
     const gjk::VertexPair farther = shapes.least_along(out.p.normal);
     if (dot<D>(out.p.normal, shapes.difference(farther)) >= out.p.reach) return out;

@@ -20,10 +20,10 @@ struct Patience {
   bool is_loud = true;   ///< Its standard error is shown, until it fails.
 };
 
-/// Asks `command`, which a shell runs, all cases at once. A case on which the program ends early or
-/// falls silent costs the answer to that case only: the program is started again for the next. One
-/// that answers none of the first three is not asked on. As
-/// programs may keep answers back until they end, such a case is found by asking one at a time.
+/// Asks `command`, which a shell runs, all cases at once. If the program ends early or falls
+/// silent, only the answer to that case is lost: the program is started again for the next one. A
+/// program may hold back answers until it ends, so the case at fault is found by asking one at a
+/// time. A program that answers none of the first three cases is not asked further.
 [[nodiscard]] std::vector<Reply> ask(const std::string& command,
                                      const std::vector<std::string>& cases,
                                      const Patience& patience = {});

@@ -111,7 +111,7 @@ std::optional<gjk::Vec<double, D>> point_of(const json& value) {
   return out;
 }
 
-/// Whether the closest points are as far apart as the shapes, where both are told.
+/// Whether the closest points are as far apart as the shapes, if the answer has both.
 template <int D>
 bool points_fit(const json& answer, const Asked<D>& one, double limit, double unit) {
   gjk::Vec<double, D> between = gjk::Vec<double, D>::Zero();
@@ -130,7 +130,7 @@ bool points_fit(const json& answer, const Asked<D>& one, double limit, double un
          limit * one.distance + 16 * unit * largest;
 }
 
-/// Whether `depth` and `translation` are right, where they are told.
+/// Whether `depth` and `translation` are right, if the answer has them.
 template <int D>
 bool depth_fits(const json& answer, const Asked<D>& one, double limit, double unit) {
   const auto told = [&](const char* key) {
@@ -309,7 +309,7 @@ class Reduction {
 template <int D>
 FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& last) {
   FamilyTrial out;
-  out.family = families::kFamilyNames[static_cast<std::size_t>(family)];
+  out.family = families::kFamilyNames[family];
   out.dimension = D;
   families::Source random(options.seed + static_cast<std::uint64_t>(family));
   std::vector<Asked<D>> cases;
@@ -364,7 +364,7 @@ std::string try_program(const TrialOptions& options,
     if (options.dimension != 0 && options.dimension != dimension) continue;
     const int count = dimension == 2 ? families::kFamilyCount : families::kSpaceFamilyCount;
     for (int i = 0; i < count; ++i) {
-      const std::string name(families::kFamilyNames[static_cast<std::size_t>(i)]);
+      const std::string name(families::kFamilyNames[i]);
       const auto& wanted = options.families;
       if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end())
         continue;

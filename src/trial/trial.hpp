@@ -58,8 +58,8 @@ struct FamilyTrial {
   std::optional<FailingCase> smallest;
 };
 
-/// All families in turn; `each` is told of one when it is done. Stops, and says why, after a family
-/// of which nothing was answered.
+/// Tries all families in turn, and calls `each` after each of them. Stops, and says why, after a
+/// family without any answer.
 [[nodiscard]] std::string try_program(const TrialOptions& options,
                                       const std::function<void(const FamilyTrial&)>& each);
 

@@ -43,7 +43,7 @@ EMSCRIPTEN_KEEPALIVE std::size_t gjk_characters() {
 /// The file of a face, or of what draws the characters that it lacks; before `gjk_start`.
 EMSCRIPTEN_KEEPALIVE void gjk_font(int face, int fallback, const unsigned char* bytes,
                                    std::size_t size) {
-  FaceBytes& of = fonts[static_cast<std::size_t>(face)];
+  FaceBytes& of = fonts[face];
   (fallback != 0 ? of.fallback : of.main).assign(bytes, bytes + size);
 }
 

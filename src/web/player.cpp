@@ -202,7 +202,7 @@ void Player::go_to_phase(int phase) {
     throw std::runtime_error(
         fmt::format("this run has no phase {}; expected 0 to {}", phase, phases.size() - 1));
   }
-  const std::string_view name = phases[static_cast<std::size_t>(phase)];
+  const std::string_view name = phases[phase];
   if (!session_.go_to_next(name))
     throw std::runtime_error(fmt::format("this run has no step '{}'", name));
 }
@@ -321,7 +321,7 @@ std::string Player::open_case(const Asked& asked) {
       parse_cases(text, name, gjk::kMaxDimension, std::nullopt, CaseLimits::of_lessons());
   if (!cases.front().problems.empty()) throw std::runtime_error(to_string(cases.front().problems));
   const ReadCase& read = cases.front();
-  const Lesson lesson = edit::told_of(session_.lesson(), read);
+  const Lesson lesson = edit::with_shapes(session_.lesson(), read);
   if (!session_.edit(name, lesson)) {
     std::vector<Problem> problems = why_not_said(lesson);
     if (problems.empty()) throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
@@ -434,8 +434,8 @@ void Player::put_vertex(const Asked& asked) {
   std::vector<Eigen::Vector3d>& vertices = lesson.bodies[body].vertices;
   if (index < 0 || index >= static_cast<int>(vertices.size()))
     throw no_vertex(index, vertices.size());
-  const std::string& name = lesson.bodies[body].vertex_names[static_cast<std::size_t>(index)];
-  Eigen::Vector3d& vertex = vertices[static_cast<std::size_t>(index)];
+  const std::string& name = lesson.bodies[body].vertex_names[index];
+  Eigen::Vector3d& vertex = vertices[index];
   for (int axis = 0; axis < lesson.dimension; ++axis) {
     const std::string key(1, "xyz"[axis]);
     if (asked.json.contains(key))

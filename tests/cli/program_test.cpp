@@ -267,7 +267,7 @@ class Completion : public ::testing::TestWithParam<const char*> {};
 TEST_P(Completion, OffersEveryOptionThatHelpLists) {
   for (const std::string command :
        {"lessons", "export", "open", "trace", "solve", "judge", "check", "transcript", "explain",
-        "practice", "study accuracy", "study effects"}) {
+        "practice", "study accuracy", "study models"}) {
     const std::set<std::string> listed = options_in(run_program(command + " --help").out);
     EXPECT_TRUE(listed.contains("--help"));
     EXPECT_EQ(listed, offered(GetParam(), "gjkscope " + command + " --")) << command;

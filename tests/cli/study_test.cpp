@@ -68,17 +68,6 @@ TEST(StudyCommand, InterruptedWritesWhatItHas) {
 TEST(StudyCommand, MeasuresTheLessonsThatAreNamed) {
   const TemporaryFolder folder;
   const std::string out = " --quick --out " + folder.path().string();
-  const auto effects = run_program("study effects minkowski-hull" + out);
-  EXPECT_EQ(effects.exit_code, 2);
-  EXPECT_NE(effects.err.find("minkowski-hull"), std::string::npos) << effects.err;
-
-  const auto steps = run_program("study time-steps segment-balance polygons-gjk" + out);
-  EXPECT_EQ(steps.exit_code, 0) << steps.err;
-  EXPECT_NE(steps.out.find("\n* segment-balance"), std::string::npos) << steps.out;
-  EXPECT_EQ(steps.out.find("polygons-gjk"), std::string::npos) << "it has no clock";
-  EXPECT_NE(read_file(folder.path() / "time-steps.csv").find("\nsegment-balance,"),
-            std::string::npos);
-
   std::string text = read_file(GJKSCOPE_SOURCE_DIR "/lessons/general-growth.toml");
   const std::size_t sizes = text.find("vertices = [10,");
   ASSERT_NE(sizes, std::string::npos);
@@ -94,12 +83,6 @@ TEST(StudyCommand, MeasuresTheLessonsThatAreNamed) {
   const auto timed = run_program("transcript --no-questions " + folder.file("timed.toml", text));
   EXPECT_EQ(timed.exit_code, 0) << timed.err;
   EXPECT_NE(timed.out.find("n = 400: all pairs take "), std::string::npos) << timed.out;
-
-  const auto hull = run_program("study effects polygon-evolution" + out);
-  EXPECT_EQ(hull.exit_code, 0) << hull.err;
-  EXPECT_NE(hull.out.find("(all others)"), std::string::npos) << hull.out;
-  EXPECT_NE(read_file(folder.path() / "effects.csv").find("\npolygon-evolution,"),
-            std::string::npos);
 }
 
 }  // namespace study_test

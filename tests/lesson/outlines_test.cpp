@@ -11,6 +11,7 @@
 #include "run/trace_text.hpp"
 #include "subjects/hierarchy/table.hpp"
 #include "subjects/subjects.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace outlines_test {
@@ -97,8 +98,7 @@ TEST(Outlines, TheWalkSaysWhyItDoesNotTakeAHole) {
   const LessonRun run =
       run_lesson(*load(lesson_text(kSquareWithHole + "outlines = [4, 4]\n")).lesson);
   ASSERT_EQ(run.frames.size(), 1u);
-  EffectGraph effects(run);
-  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  const std::vector<FrameText> texts = testing::texts_of(run);
   EXPECT_EQ(texts.front().caption, "The walk does not take X: more than one outline.");
   EXPECT_EQ(check_expectation(run).size(), 1u);
 }

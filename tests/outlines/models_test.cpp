@@ -132,11 +132,12 @@ TEST(SphereTree, AnswersWithinTheErrorThatIsAllowed) {
     const auto tree_a = sphere_tree(a, radius);
     const auto tree_b = sphere_tree(b, radius);
     const std::string what = std::string(family) + " " + std::to_string(i);
-    const SearchResult exact = search<Circle>({a, b, tree_a, tree_b}, sphere_tree_options());
+    const SearchResult exact = search<Circle>({a, b, tree_a, tree_b}, {.table = true});
     expect_same(truth, exact.answer, what);
     hits += exact.hits;
     const double e = scenes.real(0.0, 1.0);
-    const SearchResult rough = search<Circle>({a, b, tree_a, tree_b}, sphere_tree_options(e));
+    const SearchResult rough =
+        search<Circle>({a, b, tree_a, tree_b}, {.relative_error = e, .table = true});
     EXPECT_EQ(truth.overlap, rough.answer.overlap) << what;
     EXPECT_LE(rough.answer.distance, (1.0 + e) * truth.distance * (1.0 + 0x1p-50)) << what;
   }

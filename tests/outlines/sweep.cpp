@@ -111,7 +111,8 @@ class Checker {
     const auto tree_a = sphere_tree(a_, radius);
     const auto tree_b = sphere_tree(b_, radius);
     const double e = random.real(0.0, 1.0);
-    const Answer answer = search<Circle>({a_, b_, tree_a, tree_b}, sphere_tree_options(e)).answer;
+    const Answer answer =
+        search<Circle>({a_, b_, tree_a, tree_b}, {.relative_error = e, .table = true}).answer;
     claim(answer.overlap == truth_.overlap, "overlap of sphere trees");
     claim(answer.distance <= (1.0 + e) * truth_.distance * (1.0 + 0x1p-50),
           "distance of sphere trees");

@@ -10,6 +10,7 @@
 #include "frames/frame.hpp"
 #include "frames/spots.hpp"
 #include "lessons.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace asking_test {
@@ -111,10 +112,9 @@ TEST(AllQuestions, AreTwoOfEachLessonAndOneOfThemIsAnsweredInTheDrawing) {
   for (const Lesson& lesson : testing::lessons_for_long_tests()) {
     if (lesson.chapter == 6 || lesson.chapter > 7) continue;
     const LessonRun run = run_lesson(lesson);
-    EffectGraph effects(run);
     int questions = 0;
     int in_drawing = 0;
-    for (const FrameText& text : lesson_texts(run, effects)) {
+    for (const FrameText& text : testing::texts_of(run)) {
       if (!text.question) continue;
       ++questions;
       in_drawing += is_answered_in_drawing(*text.question) ? 1 : 0;
@@ -130,8 +130,7 @@ TEST(AllQuestions, OfChaptersZeroToFourLeadToTheNextLesson) {
     ASSERT_FALSE(lesson.next.empty()) << lesson.id;
     EXPECT_EQ(lesson.next.back(), '?') << lesson.id;
     const LessonRun run = run_lesson(lesson);
-    EffectGraph effects(run);
-    EXPECT_TRUE(lesson_texts(run, effects).back().detail.ends_with(lesson.next)) << lesson.id;
+    EXPECT_TRUE(testing::texts_of(run).back().detail.ends_with(lesson.next)) << lesson.id;
   }
 }
 

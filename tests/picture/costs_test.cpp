@@ -77,7 +77,7 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
   const Told told(testing::shipped_lesson("general-growth"));
   const std::vector<FrameText> all = asked(told);
   ASSERT_EQ(all.size(), 2u);
-  const GeneralGrowthTrace& trace = general_growth_told(*told.run.algorithm_traces[0]);
+  const GeneralGrowthTrace& trace = general_growth_trace(*told.run.algorithm_traces[0]);
   const auto& samples = trace.samples;
   const double ratio = samples[8].boxes / samples[7].boxes;
   ASSERT_LT(ratio, 1.5);
@@ -107,7 +107,7 @@ TEST(MethodFrames, AskWhatMemorySaves) {
   long cold = 0;
   long warm = 0;
   for (std::size_t i = 0; i < positions; ++i) {
-    const MethodsTold& at = *methods_told(told.run, static_cast<int>(i));
+    const MethodsTold& at = *methods_trace(told.run, static_cast<int>(i));
     cold += at.at(Method::gjk_cold);
     warm += at.at(Method::gjk_warm);
     if (i == 0) continue;

@@ -11,9 +11,11 @@
 
 #include "frames/frame.hpp"
 #include "frames/stage.hpp"
+#include "lesson/names.hpp"
 #include "lessons.hpp"
 #include "picture/words.hpp"
 #include "subjects/depth/lesson_trace.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace depth_test {
@@ -36,8 +38,7 @@ TEST(DepthFrames, GoThroughEveryStepAndEndWithTheAnswer) {
     const LessonRun run = run_lesson(lesson);
     const DepthTrace& trace = *depth_trace(run, 0);
     ASSERT_EQ(run.frames.size(), trace.steps.size() + 2);
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     EXPECT_EQ(texts.front().phase, "start");
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       EXPECT_EQ(texts[i + 1].iteration, trace.steps[i].iteration);
@@ -91,8 +92,7 @@ TEST(DepthFrames, AskForTheNearestEdgeBeforeItIsTold) {
   for (const char* id : {"penetration-depth", "penetration-nested", "penetration-identical"}) {
     SCOPED_TRACE(id);
     const LessonRun run = run_lesson(testing::shipped_lesson(id));
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     int asked = 0;
     for (std::size_t i = 0; i < texts.size(); ++i) {
       if (!texts[i].question) continue;
@@ -150,8 +150,7 @@ TEST(DepthFramesInSpace, GoThroughEveryStepAndEndWithTheAnswer) {
     const DepthTraceInSpace& trace = *depth_trace_in_space(run, 0);
     EXPECT_EQ(depth_trace(run, 0), nullptr);
     ASSERT_EQ(run.frames.size(), trace.steps.size() + 2);
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     double upper = HUGE_VAL;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       const auto& step = trace.steps[i];
@@ -203,8 +202,7 @@ TEST(DepthFramesInSpace, AskForFacesBeforeTheyAreTold) {
   for (const std::string& id : kLessonsInSpace) {
     SCOPED_TRACE(id);
     const LessonRun run = run_lesson(testing::shipped_lesson(id));
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     const DepthTraceInSpace& trace = *depth_trace_in_space(run, 0);
     for (std::size_t i = 0; i < texts.size(); ++i) {
       if (!texts[i].question || run.frames[i].answering_step < 0) continue;

@@ -24,6 +24,7 @@
 #include "subjects/second_run/table.hpp"
 #include "subjects/study/table.hpp"
 #include "subjects/subjects.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 
@@ -706,8 +707,7 @@ Lesson direction_half_from_b() {
 
 TEST(Captions, SayWhichNumbersRoundingMade) {
   const LessonRun run = run_lesson(direction_half_from_b());
-  EffectGraph effects(run);
-  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  const std::vector<FrameText> texts = testing::texts_of(run);
   const Eigen::Vector2d b(-90.0, -35.0), d(120.0, -15.0), q(0.5, -26.5);
   EXPECT_TRUE(texts[1].detail.ends_with("exact arithmetic has " + fixed((q - b).norm(), 3) + "."))
       << texts[1].detail;

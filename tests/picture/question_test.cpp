@@ -9,6 +9,7 @@
 #include "frames/frame.hpp"
 #include "lessons.hpp"
 #include "subjects/subjects.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace question_test {
@@ -17,8 +18,7 @@ using Choices = std::vector<std::string>;
 
 std::vector<FrameText> texts_of_frames(const Lesson& lesson) {
   const LessonRun run = run_lesson(lesson);
-  EffectGraph effects(run);
-  return lesson_texts(run, effects);
+  return testing::texts_of(run);
 }
 
 /// The question frames of a lesson, each with the frame that answers.
@@ -69,8 +69,7 @@ TEST(QuestionFrames, OfThePentagon) {
 TEST(QuestionFrames, ADirectionLeadsFromPAlongD) {
   for (const std::string id : {"polygon-evolution", "polygons-gjk", "polygon-pseudocode"}) {
     const LessonRun run = run_lesson(asking(id, {{"direction", {}}}));
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     int questions = 0;
     for (std::size_t i = 0; i < texts.size(); ++i) {
       if (!texts[i].question) continue;
@@ -101,8 +100,7 @@ double area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
 
 TEST(QuestionFrames, AWeightIsZeroOnTheEdgeOfTheOtherVertices) {
   const LessonRun run = run_lesson(asking("triangle-barycentric", {{"what-if", {}}}));
-  EffectGraph effects(run);
-  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  const std::vector<FrameText> texts = testing::texts_of(run);
   int questions = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (!texts[i].question) continue;

@@ -15,6 +15,7 @@
 #include "lessons.hpp"
 #include "outlines/polygon.hpp"
 #include "subjects/subjects.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace round_shapes_test {
@@ -51,8 +52,7 @@ RoundShapes::Value answer_of(const LessonRun& run) {
 
 std::string last_words(const Lesson& lesson) {
   const LessonRun run = run_lesson(lesson);
-  EffectGraph effects(run);
-  return lesson_texts(run, effects).back().detail;
+  return testing::texts_of(run).back().detail;
 }
 
 TEST(RoundShapes, AreAsFarApartAsPolygonsWithManyCorners) {
@@ -113,8 +113,7 @@ TEST(RoundShapes, EveryGranularityThatTakesThemSaysWhatIsLeft) {
     Lesson lesson = lesson_with_y_moved_by({0.0, 0.0});
     lesson.act = act->name;
     const LessonRun run = run_lesson(lesson);
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
                             [](const FrameText& text) {
                               return text.detail.find("1.750 between") != std::string::npos;

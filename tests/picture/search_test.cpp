@@ -14,6 +14,7 @@
 #include "subjects/hierarchy/lesson_trace.hpp"
 #include "subjects/hierarchy/shown.hpp"
 #include "subjects/methods/lesson_trace.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace search_test {
@@ -36,7 +37,7 @@ void expect_truth(const SearchTold& search) {
 TEST(SearchFrames, TheAnswerIsThatOfAllPairs) {
   for (const std::string& id : kLessons) {
     SCOPED_TRACE(id);
-    expect_truth(*search_told(run_lesson(testing::shipped_lesson(id)), 0));
+    expect_truth(*search_trace(run_lesson(testing::shipped_lesson(id)), 0));
   }
 }
 
@@ -47,17 +48,17 @@ TEST(SearchFrames, AVertexThatIsMovedBuildsTheTreesAnew) {
     const LessonRun before = run_lesson(lesson);
     lesson.y().vertices[4] = {-2.0, 0.1, 0.0};
     const LessonRun after = run_lesson(lesson);
-    const SearchTold& search = *search_told(after, 0);
+    const SearchTold& search = *search_trace(after, 0);
     expect_truth(search);
     EXPECT_TRUE(search.trace.result.answer.overlap ||
-                search.trace.result.visits != search_told(before, 0)->trace.result.visits);
+                search.trace.result.visits != search_trace(before, 0)->trace.result.visits);
     const auto reaches = [](const Volume& volume) {
       const models::Box* box = std::get_if<models::Box>(&volume);
       if (box != nullptr) return box->low.x() <= -2.0 && box->high.x() >= -2.0;
       const models::Circle& circle = std::get<models::Circle>(volume);
       return circle.centre.x() - circle.radius <= -2.0;
     };
-    EXPECT_FALSE(reaches(search_told(before, 0)->tree_y[0].volume));
+    EXPECT_FALSE(reaches(search_trace(before, 0)->tree_y[0].volume));
     EXPECT_TRUE(reaches(search.tree_y[0].volume));
   }
 }
@@ -100,7 +101,7 @@ TEST(SearchFrames, NodesAreAsTheirPairs) {
 TEST(SearchFrames, ANodeOfTheTreeIsLinkedToItsVolumeOnTheStage) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   const LessonRun run = run_lesson(testing::shipped_lesson("hierarchy-distance"));
-  const SearchTold& search = *search_told(run, 0);
+  const SearchTold& search = *search_trace(run, 0);
   EffectGraph effects(run);
   LessonPictures pictures(run, effects, fonts);
   const Picture picture = pictures.picture(3);
@@ -122,8 +123,7 @@ TEST(SearchFrames, AskOnlyWhatAVisitAnswers) {
   for (const std::string& id : kLessons) {
     SCOPED_TRACE(id);
     const LessonRun run = run_lesson(testing::shipped_lesson(id));
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     EXPECT_EQ(texts.front().phase, "start");
     EXPECT_EQ(texts.back().phase, "answer");
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -147,8 +147,7 @@ TEST(SearchFrames, AskAboutHalvesWhatTheirVisitsSay) {
     if (id == "hierarchy-orders") continue;
     lesson.questions = {{"half", {}}};
     const LessonRun run = run_lesson(lesson);
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     int asked = 0;
     for (std::size_t i = 0; i < texts.size(); ++i) {
       if (!texts[i].question) continue;
@@ -184,8 +183,7 @@ TEST(SearchFrames, ThePairThatComesNextIsThatOfTheNextVisit) {
   Lesson lesson = testing::shipped_lesson("hierarchy-orders");
   lesson.questions = {{"next-pair", {}}};
   const LessonRun run = run_lesson(lesson);
-  EffectGraph effects(run);
-  const std::vector<FrameText> texts = lesson_texts(run, effects);
+  const std::vector<FrameText> texts = testing::texts_of(run);
   int asked = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (!texts[i].question) continue;
@@ -208,16 +206,14 @@ TEST(SearchFrames, AShapeWithoutSegmentsIsRefused) {
   lesson.x().vertex_names.resize(1);
   const LessonRun run = run_lesson(lesson);
   ASSERT_EQ(run.frames.size(), 1u);
-  EffectGraph effects(run);
-  EXPECT_EQ(lesson_texts(run, effects).front().caption,
-            "The search does not take U: too few points.");
+  EXPECT_EQ(testing::texts_of(run).front().caption, "The search does not take U: too few points.");
 }
 
 TEST(MethodsFrames, AllMethodsAgreeAndMemoryDoesNotHurt) {
   const LessonRun run = run_lesson(testing::shipped_lesson("methods-motion"));
   std::array<long, kMethods.size()> sums = {};
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
-    const MethodsTold& told = *methods_told(run, i);
+    const MethodsTold& told = *methods_trace(run, i);
     const OutlinesOfRun outlines = outlines_of(run.lesson, run.runs[static_cast<std::size_t>(i)]);
     const double truth = models::brute(outlines.x, outlines.y).answer.distance;
     for (std::size_t m = 0; m < kMethods.size(); ++m) {
@@ -237,7 +233,7 @@ TEST(MethodsFrames, AgreeWhereShapesPassThroughEachOther) {
   const LessonRun run = run_lesson(lesson);
   int overlaps = 0;
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
-    const MethodsTold& told = *methods_told(run, i);
+    const MethodsTold& told = *methods_trace(run, i);
     overlaps += told.answer.overlap ? 1 : 0;
     for (const double distance : told.distances) EXPECT_NEAR(distance, told.distances[0], 1e-13);
   }
@@ -249,8 +245,7 @@ TEST(MethodsFrames, SayWhichShapeTheyDoNotTake) {
   Lesson lesson = testing::shipped_lesson("methods-motion");
   lesson.y().vertices[0] = {0.0, 0.0, 0.0};
   const LessonRun run = run_lesson(lesson);
-  EffectGraph effects(run);
-  EXPECT_EQ(lesson_texts(run, effects).front().caption, "Not all methods take Y: not convex.");
+  EXPECT_EQ(testing::texts_of(run).front().caption, "Not all methods take Y: not convex.");
 }
 
 }  // namespace search_test

@@ -12,6 +12,7 @@
 #include "frames/frame.hpp"
 #include "lessons.hpp"
 #include "picture/tween.hpp"
+#include "texts.hpp"
 
 namespace gjkscope::trail_test {
 
@@ -108,18 +109,14 @@ TEST(Trail, OfALongRunHasTheFirstIterationsAndTheLast) {
   ASSERT_EQ(frames.size(), kMostInTrail);
   EXPECT_EQ(run.step(frames[kMostInTrail - 2]).iteration, static_cast<int>(kMostInTrail) - 1);
   EXPECT_EQ(run.step(frames.back()).iteration, iterations);
-  EffectGraph effects(run);
-  EXPECT_NE(lesson_texts(run, effects)
-                .back()
-                .detail.find(
-                    fmt::format("Iterations {} to {} are left out", kMostInTrail, iterations - 1)),
+  EXPECT_NE(testing::texts_of(run).back().detail.find(
+                fmt::format("Iterations {} to {} are left out", kMostInTrail, iterations - 1)),
             std::string::npos);
 }
 
 TEST(Trail, SaysHowTheRunWentAndWhereItLeads) {
   const LessonRun run = run_lesson(shipped_lesson("polygons-gjk"));
-  EffectGraph effects(run);
-  const FrameText text = lesson_texts(run, effects).back();
+  const FrameText text = testing::texts_of(run).back();
   EXPECT_EQ(text.caption, "GJK took 4 iterations, and stopped because K−C was in S already.");
   EXPECT_TRUE(text.detail.ends_with(run.lesson.next)) << text.detail;
   EXPECT_EQ(text.position, "the run at a glance");

@@ -8,6 +8,7 @@
 #include "lessons.hpp"
 #include "picture/words.hpp"
 #include "subjects/lin_canny/shown.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace walk_test {
@@ -20,10 +21,9 @@ TEST(WalkFrames, GoThroughEveryStepAndEndWithTheAnswer) {
     Lesson lesson = testing::shipped_lesson(id);
     lesson.questions.clear();
     const LessonRun run = run_lesson(lesson);
-    const models::WalkTrace& trace = walk_told(run, 0)->trace;
+    const models::WalkTrace& trace = walk_trace(run, 0)->trace;
     ASSERT_EQ(run.frames.size(), trace.steps.size() + 2);
-    EffectGraph effects(run);
-    const std::vector<FrameText> texts = lesson_texts(run, effects);
+    const std::vector<FrameText> texts = testing::texts_of(run);
     EXPECT_EQ(texts.front().phase, "start");
     for (std::size_t i = 0; i < trace.steps.size(); ++i)
       EXPECT_EQ(texts[i + 1].phase, name_of(trace.steps[i].phase));
@@ -35,8 +35,7 @@ TEST(WalkFrames, AskOnlyWhatAStepAnswers) {
   for (const std::string& id : kLessons) {
     SCOPED_TRACE(id);
     const LessonRun run = run_lesson(testing::shipped_lesson(id));
-    EffectGraph effects(run);
-    for (const FrameText& text : lesson_texts(run, effects)) {
+    for (const FrameText& text : testing::texts_of(run)) {
       if (!text.question) continue;
       EXPECT_EQ(std::count(text.question->choices.begin(), text.question->choices.end(),
                            text.question->answer),
@@ -75,20 +74,19 @@ TEST(WalkFrames, AlongAPathEachWalkStartsWhereTheLastOneEnded) {
   const LessonRun run = run_lesson(testing::shipped_lesson("lin-canny-motion"));
   ASSERT_GT(run.runs.size(), 2u);
   for (int i = 1; i < static_cast<int>(run.runs.size()); ++i) {
-    EXPECT_EQ(walk_told(run, i)->trace.start.a, walk_told(run, i - 1)->trace.result.a);
-    EXPECT_EQ(walk_told(run, i)->trace.start.b, walk_told(run, i - 1)->trace.result.b);
-    EXPECT_LE(walk_told(run, i)->trace.result.steps, 3);
+    EXPECT_EQ(walk_trace(run, i)->trace.start.a, walk_trace(run, i - 1)->trace.result.a);
+    EXPECT_EQ(walk_trace(run, i)->trace.start.b, walk_trace(run, i - 1)->trace.result.b);
+    EXPECT_LE(walk_trace(run, i)->trace.result.steps, 3);
   }
 }
 
 TEST(WalkFrames, ALocalMinimumIsToldBesideTheTruth) {
   const LessonRun run = run_lesson(testing::shipped_lesson("local-minima"));
-  const WalkTold& walk = *walk_told(run, 0);
+  const WalkTold& walk = *walk_trace(run, 0);
   ASSERT_EQ(walk.trace.result.stop, models::WalkStop::local_minimum);
   ASSERT_TRUE(walk.truth);
   EXPECT_LT(walk.truth->distance, walk.trace.result.answer.distance);
-  EffectGraph effects(run);
-  const std::string caption = lesson_texts(run, effects).back().caption;
+  const std::string caption = testing::texts_of(run).back().caption;
   EXPECT_NE(caption.find(Numbers(run.lesson)(walk.truth->distance)), std::string::npos) << caption;
 }
 

@@ -183,10 +183,10 @@ TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
     SCOPED_TRACE(lesson.id);
     const ScalarKind other =
         lesson.scalar == ScalarKind::exact ? ScalarKind::double_ : ScalarKind::exact;
-    const Lesson twice = edit::told_twice(lesson, other);
+    const Lesson twice = edit::with_second_run(lesson, other);
     EXPECT_TRUE(why_not_said(twice).empty()) << to_string(why_not_said(twice));
-    EXPECT_EQ(twice, edit::told_twice(twice, other));
-    const Lesson once = edit::told_twice(twice, std::nullopt);
+    EXPECT_EQ(twice, edit::with_second_run(twice, other));
+    const Lesson once = edit::with_second_run(twice, std::nullopt);
     EXPECT_TRUE(why_not_said(once).empty()) << to_string(why_not_said(once));
     EXPECT_FALSE(once.calls_for("second-run") || once.has_block("two-runs"));
     ++told;
@@ -230,7 +230,7 @@ TEST(Edit, EveryLessonOfGjkCanBeToldByTheExpandingPolygonOrPolytope) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
     if (run_lesson(lesson).act->algorithm->takes_outlines) continue;
-    const Lesson told = edit::told_by(lesson, kDepthAlgorithm);
+    const Lesson told = edit::with_act(lesson, kDepthAlgorithm);
     const LoadedLesson read = parse_lesson(lesson_toml(told), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
     const LessonRun run = run_lesson(told);

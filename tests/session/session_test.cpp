@@ -924,7 +924,7 @@ Case two_of(int count) {
 TEST(ManyVertices, TheOutlineOfTheDifferenceStaysWhereItsPointsAreTooMany) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
-  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), two_of(2000))));
+  ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), two_of(2000))));
   const std::vector<std::string>& effects = session.lesson().views.at(1).effects;
   EXPECT_EQ(std::count(effects.begin(), effects.end(), "minkowski-hull"), 1);
   EXPECT_EQ(std::count(effects.begin(), effects.end(), "minkowski-cloud"), 0);
@@ -937,7 +937,7 @@ TEST(ManyVertices, TheOneThatTheHandComesNearIsNamed) {
   using Kind = Subject::Kind;
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
-  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), two_of(1000))));
+  ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), two_of(1000))));
   session.fit();
   const auto has = [&](const std::string& name) {
     const std::vector<Mark>& marks = session.picture().marks;
@@ -973,7 +973,7 @@ TEST(ManyVertices, TheOneThatTheHandComesNearIsNamed) {
 TEST(ManyVertices, AViewThatComesNearNamesWhatIsInSight) {
   Session session(fonts());
   ASSERT_TRUE(session.open(shipped_lesson("polygons-gjk"), {}));
-  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), two_of(1000))));
+  ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), two_of(1000))));
   session.fit();
   const auto disks = [&] {
     size_t count = 0;

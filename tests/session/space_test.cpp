@@ -129,7 +129,7 @@ TEST_F(SpaceTest, ACaseTakesThePlaceOfAnyLessonInSpace) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     if (lesson.dimension == 2) continue;
     ASSERT_TRUE(session.open(lesson, "file.toml"));
-    EXPECT_TRUE(session.edit("case", edit::told_of(session.lesson(), space)))
+    EXPECT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), space)))
         << lesson.id << ": " << session.problem();
     for (int i = 0; i < session.frame_count(); ++i) {
       session.go_to(i);
@@ -140,20 +140,24 @@ TEST_F(SpaceTest, ACaseTakesThePlaceOfAnyLessonInSpace) {
 
 TEST_F(SpaceTest, CasesOfEitherDimensionTakeItsPlace) {
   const CaseIn<3> space{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{3, 1, 1}}};
-  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), space))) << session.problem();
+  ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), space)))
+      << session.problem();
   EXPECT_EQ(session.lesson().dimension, 3);
   EXPECT_NEAR(session.run().runs[0].trace.result.distance, std::sqrt(6.0), 1e-12);
   const Case plane{{{0, 0}, {1, 0}, {0, 1}}, {{3, 0}}};
-  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), plane))) << session.problem();
+  ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), plane)))
+      << session.problem();
   EXPECT_EQ(session.lesson().dimension, 2);
   EXPECT_FALSE(session.eye());
   // A lesson of the plane that shows what space has not.
   ASSERT_TRUE(session.open(shipped_lesson("minkowski-build"), "other.toml"));
-  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), space))) << session.problem();
+  ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), space)))
+      << session.problem();
   EXPECT_EQ(session.lesson().act, "phase");
   // One that shows what both have.
   ASSERT_TRUE(session.open(shipped_lesson("penetration-depth"), "depth.toml"));
-  ASSERT_TRUE(session.edit("case", edit::told_of(session.lesson(), space))) << session.problem();
+  ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), space)))
+      << session.problem();
   EXPECT_EQ(session.lesson().act, "depth");
 }
 

@@ -13,6 +13,7 @@
 #include "lessons.hpp"
 #include "outlines/polygon.hpp"
 #include "picture/words.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace beginning_test {
@@ -22,8 +23,7 @@ using testing::shipped_lesson;
 
 /// The words of the frames that ask nothing.
 std::vector<FrameText> told(const LessonRun& run) {
-  EffectGraph effects(run);
-  std::vector<FrameText> texts = lesson_texts(run, effects);
+  std::vector<FrameText> texts = testing::texts_of(run);
   std::erase_if(texts, [](const FrameText& text) { return text.question.has_value(); });
   return texts;
 }
@@ -34,9 +34,8 @@ bool says(const FrameText& text, double number) {
 
 TEST(Beginning, AGuessIsComparedWithTheClosestPoints) {
   const LessonRun run = run_lesson(shipped_lesson("guess"));
-  EffectGraph effects(run);
   std::vector<Vector2d> places;
-  for (const FrameText& text : lesson_texts(run, effects)) {
+  for (const FrameText& text : testing::texts_of(run)) {
     if (text.question) places.push_back(*text.question->place);
   }
   ASSERT_EQ(places.size(), 2u);

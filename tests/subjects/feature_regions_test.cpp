@@ -97,7 +97,7 @@ TEST(FeatureRegions, BeyondAPlaneOfAVertexTheEdgeIsCloser) {
 
 TEST(FeatureRegions, OfABoxAreSixPrismsTwelveWedgesAndEightCones) {
   const LessonRun run = run_lesson(testing::shipped_lesson("regions-of-a-box"));
-  const RegionsTrace& told = regions_told(*run.algorithm_traces[0]);
+  const RegionsTrace& told = regions_trace(*run.algorithm_traces[0]);
   EXPECT_EQ(told.count(Kind::face), 6);
   EXPECT_EQ(told.count(Kind::edge), 12);
   EXPECT_EQ(told.count(Kind::vertex), 8);
@@ -121,7 +121,7 @@ TEST(LocalVerification, HoldsForTheClosestPointsAndRefutesOthers) {
     lesson.bodies[0].vertices = random.body(5, Vector3d(-2.5, 0.0, 0.0));
     lesson.bodies[1].vertices = random.body(5, Vector3d(1.0, 0.0, 0.0));
     const LessonRun run = run_lesson(std::move(lesson));
-    const RegionsTrace& told = regions_told(*run.algorithm_traces[0]);
+    const RegionsTrace& told = regions_trace(*run.algorithm_traces[0]);
     for (const RegionsTrace::Step& step : told.all) {
       if (step.phase != Phase::region) continue;
       const double depth = told.border(step).depth(told.point(step));
@@ -159,7 +159,7 @@ TEST(FeatureRegions, HaveWordsAndPicturesForAnyShapes) {
     }
     LessonRun run = run_lesson(std::move(lesson));
     if (!why_not_drawn(run.runs[0]).empty()) continue;
-    flat += regions_told(*run.algorithm_traces[0]).pairs.empty() ? 1 : 0;
+    flat += regions_trace(*run.algorithm_traces[0]).pairs.empty() ? 1 : 0;
     EffectGraph effects(run);
     for (const FramePicture& frame : lesson_pictures(run, effects, testing::fonts()))
       EXPECT_FALSE(frame.text.caption.empty());

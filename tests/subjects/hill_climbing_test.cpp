@@ -156,7 +156,7 @@ TEST(ExactHull, OfACubeWithPointsOnAllItsPartsAreItsEdges) {
 
 TEST(Climbs, OfTheLessonFindTheSupportPointsOfItsRun) {
   const LessonRun run = run_lesson(testing::shipped_lesson("hill-climbing"));
-  const ClimbTrace& told = climbs_told(*run.algorithm_traces[0]);
+  const ClimbTrace& told = climbs_trace(*run.algorithm_traces[0]);
   ASSERT_GT(told.climbs.size(), 3u);
   EXPECT_EQ(static_cast<int>(told.climbs.size()), support_calls(run.runs[0].trace));
   for (std::size_t i = 0; i < told.climbs.size(); ++i) {
@@ -173,7 +173,7 @@ TEST(Climbs, OfTwoPolyhedraGoAlongDAndAgainstIt) {
   Lesson lesson = testing::shipped_lesson("polyhedra-gjk");
   lesson.act = "hill-climbing";
   const LessonRun run = run_lesson(std::move(lesson));
-  const ClimbTrace& told = climbs_told(*run.algorithm_traces[0]);
+  const ClimbTrace& told = climbs_trace(*run.algorithm_traces[0]);
   int of_x = 0;
   for (const Climb& climb : told.climbs) {
     of_x += climb.of_x ? 1 : 0;

@@ -142,10 +142,10 @@ TEST(Solids, TheBodyBehindIsPaintedFirst) {
   const Vector3d way = run.runs[0].trace.result.y - run.runs[0].trace.result.x;
   for (const double azimuth : {-150.0, -90.0, -30.0, 30.0, 90.0, 150.0}) {
     const Eye eye{azimuth, 15.0};
-    std::vector<std::optional<Sight>> sights(2);
-    sights[0] = Sight{pictures.views()[0].camera, 1.0};
-    sights[0]->camera.eye = eye;
-    pictures.lay_out({}, sights, LabelScope::frame);
+    CameraOverrides cameras(2);
+    cameras[0] = CameraOverride{pictures.views()[0].camera, 1.0};
+    cameras[0]->camera.eye = eye;
+    pictures.lay_out({}, cameras, LabelScope::frame);
     const Picture picture = pictures.picture(0);
     const auto place = [&](const std::string& role) {
       return std::find_if(picture.marks.begin(), picture.marks.end(),
@@ -286,10 +286,10 @@ TEST(Lengths, SayWhereAViewShowsThemShorter) {
   const WideResult& result = run.runs[0].trace.result;
   const Vector3d way = result.y - result.x;
   const auto is_said_from = [&](const Eye& eye) {
-    std::vector<std::optional<Sight>> sights(run.lesson.views.size());
-    sights[0] = Sight{pictures.views()[0].camera, 1.0};
-    sights[0]->camera.eye = eye;
-    pictures.lay_out({}, sights, LabelScope::frame);
+    CameraOverrides cameras(run.lesson.views.size());
+    cameras[0] = CameraOverride{pictures.views()[0].camera, 1.0};
+    cameras[0]->camera.eye = eye;
+    pictures.lay_out({}, cameras, LabelScope::frame);
     const Picture picture = pictures.picture(static_cast<int>(run.frames.size()) - 1);
     return std::any_of(picture.marks.begin(), picture.marks.end(), [](const Mark& mark) {
       const auto* text = std::get_if<Text>(&mark.shape);

@@ -18,6 +18,7 @@
 #include "subjects/subjects.hpp"
 #include "subjects/two_runs/lesson_trace.hpp"
 #include "subjects/two_runs/log_lesson.hpp"
+#include "texts.hpp"
 
 namespace gjkscope {
 namespace two_runs_test {
@@ -130,9 +131,7 @@ TEST(TwoRuns, ALogBelongsToItsShapes) {
   lesson.y().translate.x() += 0.5;
   const LessonRun moved = run_lesson(lesson);
   EXPECT_FALSE(trace_of(moved).fits);
-  EffectGraph effects(moved);
-  EXPECT_NE(lesson_texts(moved, effects).front().caption.find("where they stood"),
-            std::string::npos);
+  EXPECT_NE(testing::texts_of(moved).front().caption.find("where they stood"), std::string::npos);
   Lesson mistake = load_lesson(kLessons / "mistake-sign.toml", vocabulary()).lesson.value();
   mistake.y().translate.x() += 0.5;
   EXPECT_TRUE(trace_of(run_lesson(mistake)).fits);
@@ -176,10 +175,8 @@ TEST(TwoRuns, AScalarWithoutNumbersForTheShapesHasNoRun) {
   lesson.y().translate.x() = 1e6;
   const LessonRun run = run_lesson(lesson);
   EXPECT_FALSE(trace_of(run).fits);
-  EffectGraph effects(run);
-  EXPECT_NE(lesson_texts(run, effects)
-                .front()
-                .caption.find("The run in half has no numbers for these shapes"),
+  EXPECT_NE(testing::texts_of(run).front().caption.find(
+                "The run in half has no numbers for these shapes"),
             std::string::npos);
 }
 
@@ -209,8 +206,7 @@ TEST(TwoRuns, OtherRulesMakeASecondRun) {
   EXPECT_GE(both.parting, 0);
   EXPECT_EQ(both.runs[0].runs[0].trace.result.iterations, 1);
   EXPECT_EQ(both.runs[1].runs[0].trace.result.iterations, 2);
-  EffectGraph effects(run);
-  EXPECT_NE(lesson_texts(run, effects).front().caption.find("The run with d across the edge"),
+  EXPECT_NE(testing::texts_of(run).front().caption.find("The run with d across the edge"),
             std::string::npos);
 }
 
@@ -231,8 +227,7 @@ TEST(TwoRuns, InSpaceARunWithoutTheTestForProgressFindsOneVertexAgainAndAgain) {
     last = step.after.support.pair;
   }
   EXPECT_GT(repeated, 50);
-  EffectGraph effects(run);
-  EXPECT_NE(lesson_texts(run, effects).front().caption.find("but goes on"), std::string::npos);
+  EXPECT_NE(testing::texts_of(run).front().caption.find("but goes on"), std::string::npos);
   const auto json = both.json(run.lesson, run.runs[0]);
   EXPECT_EQ(json["steps"][0]["first"]["P"].size(), 3u);
 }

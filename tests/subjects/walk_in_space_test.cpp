@@ -98,7 +98,7 @@ TEST(WalkInSpace, EndsAtTheDistanceAndCrossesEachPlaneThatItNames) {
     Points x = random.body(few, round % 3 == 0, Vector3d::Zero());
     Points y = random.body(many, round % 3 == 0, shift);
     const LessonRun run = run_of(shipped, x, y);
-    const SpaceWalk& told = space_walk_told(*run.algorithm_traces[0]);
+    const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[0]);
     if (told.all.empty()) continue;
     const double exact = distance(x, y);
     ASSERT_EQ(told.overlaps(), exact == 0.0) << "round " << round;
@@ -145,7 +145,7 @@ TEST(WalkInSpace, EndsAtTheDistanceAndCrossesEachPlaneThatItNames) {
 
 TEST(WalkInSpace, ShowsAVertexAnEdgeAndAFace) {
   const LessonRun run = run_lesson(testing::shipped_lesson("lin-canny-in-space"));
-  const SpaceWalk& told = space_walk_told(*run.algorithm_traces[0]);
+  const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[0]);
   std::array<int, 3> seen = {};
   for (const SpaceWalk::Step& step : told.all)
     for (const std::size_t body : {0, 1})
@@ -166,7 +166,7 @@ TEST(WalkInSpace, HasWordsAndPicturesForAnyBodies) {
     Points y = random.body(8, round % 2 == 0, shift);
     const char* id = round % 4 == 0 ? "lin-canny-space-motion" : "lin-canny-in-space";
     LessonRun run = run_of(testing::shipped_lesson(id), std::move(x), std::move(y));
-    const SpaceWalk& told = space_walk_told(*run.algorithm_traces[0]);
+    const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[0]);
     flat += told.all.empty() ? 1 : 0;
     overlaps += !told.all.empty() && told.overlaps() ? 1 : 0;
     EffectGraph effects(run);
@@ -193,7 +193,7 @@ TEST(WalkInSpace, AlongAPathStartsFromTheLastPairAndIsCountedBesideGjk) {
     last = v_clip::walk(query, last ? v_clip::start(query, last->x, last->y)
                                     : v_clip::start(query, {v_clip::Kind::vertex, first.x},
                                                     {v_clip::Kind::vertex, first.y}));
-    const SpaceWalk& told = space_walk_told(*run.algorithm_traces[i]);
+    const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[i]);
     EXPECT_EQ(told.pairs(), last->pairs);
     one += told.pairs() == 1 ? 1 : 0;
     const gjk::Query<double, 3> both{{x}, {y}};

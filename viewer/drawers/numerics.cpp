@@ -208,7 +208,7 @@ void tell_twice(App& app, ScalarKind wanted) {
   const Lesson& lesson = app.session().lesson();
   const std::optional<ScalarKind> scalar =
       second_of(lesson) ? std::nullopt : std::optional(scalar_beside(lesson, wanted));
-  app.edit("second run", edit::told_twice(lesson, scalar));
+  app.edit("second run", edit::with_second_run(lesson, scalar));
 }
 
 void draw_numerics(App& app, Beside& beside) {

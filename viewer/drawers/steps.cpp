@@ -39,7 +39,7 @@ struct Table {
   int shown = -1;  ///< The frame that was in sight when it was drawn last.
   long version = -1;
   std::vector<std::string> columns;  ///< The columns of that version of the lesson.
-  int pointed = -1;                  ///< The row whose caption is told.
+  int pointed = -1;                  ///< The row whose caption is shown.
   double width = 400.0;              ///< All columns', in pixels at scale 1.
 };
 
@@ -70,7 +70,7 @@ float width_of(const std::vector<FrameText>& texts, const std::vector<std::strin
     for (const auto& [name, value] : text.values) {
       const auto column = std::find(columns.begin(), columns.end(), name);
       if (column == columns.end()) continue;
-      float& width = widths[static_cast<std::size_t>(column - columns.begin())];
+      float& width = widths[column - columns.begin()];
       width = std::max(width, measured(cell(name, value)));
     }
   }
@@ -83,7 +83,7 @@ float width_of(const std::vector<FrameText>& texts, const std::vector<std::strin
 }
 
 void draw_row(Session& session, Table& table, int i) {
-  const FrameText& text = session.texts()[static_cast<std::size_t>(i)];
+  const FrameText& text = session.texts()[i];
   ImGui::TableNextColumn();
   ImGui::PushID(i);
   if (ImGui::Selectable(step_name(text).c_str(), i == session.index(),
@@ -120,7 +120,7 @@ void draw_across(Session& session, Table& table) {
   ImGui::TableNextColumn();
   const bool has_moved = std::exchange(table.shown, session.index()) != session.index();
   for (int i = first; i < last; ++i) {
-    const FrameText& text = session.texts()[static_cast<std::size_t>(i)];
+    const FrameText& text = session.texts()[i];
     ImGui::TableNextColumn();
     ImGui::PushID(i);
     if (ImGui::Selectable(step_name(text).c_str(), i == session.index())) session.go_to(i);
@@ -136,7 +136,7 @@ void draw_across(Session& session, Table& table) {
       ImGui::TableNextColumn();
       if (i == session.index())
         ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, ImGui::GetColorU32(ImGuiCol_Header));
-      for (const auto& [known, value] : session.texts()[static_cast<std::size_t>(i)].values) {
+      for (const auto& [known, value] : session.texts()[i].values) {
         if (known == name) ImGui::TextUnformatted(cell(name, value).c_str());
       }
     }
@@ -166,7 +166,7 @@ void draw_steps(App& app, Table& table) {
   ImGui::TableSetupColumn("step");
   for (const std::string& name : table.columns) ImGui::TableSetupColumn(name.c_str());
   ImGui::TableHeadersRow();
-  // A question hides the steps after it from the table until they are told.
+  // A question hides the steps after it from the table until it is answered.
   const int count = session.last_told() + 1;
   const float row = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   if (std::exchange(table.shown, session.index()) != session.index()) {

@@ -48,7 +48,7 @@ ScalarKind scalar_of(Arithmetic arithmetic) {
 }
 
 /// The difference between the lesson's run and the configuration; empty when there is none.
-std::string told_apart(const study::Configuration& configuration) {
+std::string difference_from_lesson(const study::Configuration& configuration) {
   switch (configuration.arithmetic) {
     case Arithmetic::long_double:
     case Arithmetic::quad:
@@ -111,7 +111,7 @@ struct Study {
     lesson->id = kWorstRun;
     lesson->prose = fmt::format("The distance is {}, the answer {}.{}", dot.distance,
                                 dot.answer ? fmt::format("{}", *dot.answer) : std::string("none"),
-                                told_apart(*found));
+                                difference_from_lesson(*found));
     lesson->scalar = scalar_of(found->arithmetic);
     lesson->options = found->options;
     lesson->options.start.count = found->start == study::Start::first_vertices ? 1 : 0;
@@ -136,13 +136,13 @@ struct Study {
     const StudyFrame shown = study_frame(session().run(), session().frame()).value_or(StudyFrame{});
     if (shown.stage != StudyStage::mark)
       return app.say("this frame introduces no configuration of a study");
-    const StudyMark& mark = study->marks[static_cast<std::size_t>(shown.marks - 1)];
+    const StudyMark& mark = study->marks[shown.marks - 1];
     open_worst_run(study->dot(mark.configuration));
   }
 
   bool click(const Subject& subject) {
     if (subject.kind != Subject::Kind::study_dot) return false;
-    open_worst_run(dots()[static_cast<std::size_t>(subject.x)]);
+    open_worst_run(dots()[subject.x]);
     return true;
   }
 

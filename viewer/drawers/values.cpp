@@ -95,7 +95,7 @@ std::vector<NamedValue> values_now(App& app) {
 }
 
 void show_depth(App& app) {
-  Lesson lesson = edit::told_by(app.session().lesson(), kDepthAlgorithm);
+  Lesson lesson = edit::with_act(app.session().lesson(), kDepthAlgorithm);
   const bool in_space = lesson.dimension == 3;
   const char* polygon = in_space ? "polytope" : "polygon";
   const char* edge = in_space ? "face" : "edge";

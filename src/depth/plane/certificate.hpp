@@ -9,8 +9,8 @@
 
 namespace depth::detail {
 
-/// The edges go once around O, counter-clockwise: they cross the positive x-axis upwards once more
-/// than downwards. False, too, where rounding leaves that open.
+/// True when the edges go once around O, counter-clockwise: they cross the positive x-axis upwards
+/// once more than downwards. False when rounding leaves that open.
 template <class R>
 [[nodiscard]] bool winds_once(const Polygon<R>& polygon) {
   int turns = 0;

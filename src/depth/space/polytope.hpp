@@ -13,8 +13,8 @@
 
 namespace depth::space {
 
-/// A triangle, its corners counter-clockwise seen from outside. One that the polytope has outgrown
-/// stays where it is, so that indices keep their meaning.
+/// A triangle, its corners counter-clockwise seen from outside. A triangle that is no longer part
+/// of the polytope stays in the list, so that indices keep their meaning.
 template <class R>
 struct Face : Plane<R> {
   std::array<int, 3> corners = {};
@@ -148,7 +148,7 @@ void add_corner(Polytope<R>& polytope, int first, const gjk::SupportPoint<R, 3>&
   const int base = static_cast<int>(polytope.faces.size());
   const int count = static_cast<int>(polytope.ring.size());
   for (int k = 0; k < count; ++k) {
-    const HorizonEdge& edge = polytope.ring[static_cast<std::size_t>(k)];
+    const HorizonEdge& edge = polytope.ring[k];
     const int added = add_face(polytope, {edge.from, edge.to, apex});
     polytope.faces[added].neighbours = {edge.beyond, k + 1 < count ? added + 1 : base,
                                         k > 0 ? added - 1 : base + count - 1};

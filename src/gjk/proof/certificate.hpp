@@ -93,8 +93,9 @@ template <class R, class S, int D>
 /// A distance below reach / kNear has lost 12 digits of 53 to the rounding of vertices: it is
 /// computed anew with about twice the digits, and its face is checked (is_certainly_farthest).
 inline constexpr int kNear = 4096;
-/// A distance below reach / kQuiteNear has lost 4. It is computed anew, too, where that helps: in
-/// one frame, where vertices round once, and in space, where turned vertices round more often.
+/// A distance below reach / kQuiteNear has lost 4. It is computed anew, too, if that helps: when
+/// both shapes are in one frame, because vertices round once, and in space, because turned vertices
+/// round more often.
 inline constexpr int kQuiteNear = 16;
 /// A distance to an edge or triangle above reach / kFarFromEdge has more roundings of its own
 /// (kLengthRoundings and kEdgeRoundings) than of vertices: it is computed anew, too.
@@ -102,7 +103,7 @@ inline constexpr int kFarFromEdge = 2;
 /// In space rounding may end a run on a face beside the nearest one. When the distance is below
 /// reach / kCloseInSpace, bounds must be half as wide, or the face is checked.
 inline constexpr int kCloseInSpace = 4;
-/// The run's own weights put P visibly beside its place in a triangle kThin times as long as high.
+/// In a triangle kThin times as long as high the run's own weights place P visibly wrong.
 inline constexpr int kThin = 4;
 
 /// Roundings of the distance to an edge or triangle, in u times the distance a of its nearest
@@ -265,10 +266,10 @@ class OutsideBounds {
     const Corners of_y(face_, &VertexPair::y);
     if (of_x.count + of_y.count != face_.count + 1 || !(R(0) < foot.height)) return false;
     const bool is_space_edge = D == 3 && face_.count == 2;  // d is the product of two products
-    const R lever = is_space_edge ? smaller(foot.height, foot.distance) : foot.height;
+    const R arm = is_space_edge ? smaller(foot.height, foot.distance) : foot.height;
     // In one frame d is a sum of vertices, and sums in twice the digits are exact.
     const bool is_sum = prepared_.same_frame && (D == 2 || face_.count == 1);
-    const R angle = R(4) * u_ + (is_sum ? R(0) : R(R(4) * careful_error() / lever));
+    const R angle = R(4) * u_ + (is_sum ? R(0) : R(R(4) * careful_error() / arm));
     const R scan_error = length(foot.d) * prepared_.scan_error_within(angle);
     return are_alone(Vec<R, D>(-foot.d), query_.x, prepared_, prepared_.x, of_x, scan_error) &&
            are_alone(foot.d, query_.y, prepared_, prepared_.y, of_y, scan_error);

@@ -33,7 +33,7 @@ struct Frames {
   int exponent = 0;
   R unit = R(1);            ///< 2^-exponent, for scalars that round.
   bool same_frame = false;  ///< One unturned pose for both: differences of vertices round once.
-  bool centred = false;     ///< Some centre is not the origin of its shape's frame.
+  bool centred = false;     ///< True when a centre is not the origin of its shape's frame.
   Body<R, D> x;
   Body<R, D> y;
   /// From the centre of X to that of Y, in world axes and the run's unit.

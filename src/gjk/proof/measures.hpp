@@ -117,8 +117,9 @@ template <class R, class Along>
 /// In the shape's own frame and unit. For exact scalars all members keep their defaults.
 template <class S, int D>
 struct Measures {
-  /// Runs see the points from here, so that rounding follows their size and not their place: the
-  /// middle of their box if they lie far from their frame's origin, else that origin.
+  /// A run subtracts this point from every vertex, so that rounding depends on the shape's size and
+  /// not on its place: the middle of its box if it lies far from its frame's origin, else that
+  /// origin.
   Vec<S, D> centre = Vec<S, D>::Zero();
   bool is_centred = false;  ///< `centre` is the middle of the box.
   bool is_finite = true;    ///< No coordinate is a NaN or an infinity.

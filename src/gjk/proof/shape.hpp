@@ -75,7 +75,7 @@ struct Pose {
     }
     return world;
   }
-  /// rotation^T * world, computed in R: a direction in the shape's frame.
+  /// A world direction in the shape's frame: rotation^T * world, computed in R.
   template <class R = S>
   [[nodiscard]] Vec<R, D> direction_to_local(const Vec<R, D>& world) const {
     if (!rotation.turns()) return world;

@@ -16,14 +16,14 @@ constexpr std::array<std::string_view, 4> kWitnessParts = {"P", "on Y", "on X", 
 
 void witness_frames(LessonRun& run, int index) {
   using enum WitnessPart;
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   if (last < 0) return run.frames.push_back({.run = index});
   for (const WitnessPart part : {p, on_y, on_x, distance})
     run.frames.push_back({.run = index, .step = last, .part = static_cast<int>(part)});
 }
 
 std::string witness_position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const auto part = witness_part(run, frame);
   const bool has_clock = run.lesson.path_of_shapes && run.lesson.path_of_shapes->seconds;
   if (!part || has_clock) return position_in_lesson(run, index);

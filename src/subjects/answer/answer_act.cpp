@@ -8,7 +8,7 @@ namespace gjkscope::acts {
 namespace {
 
 void answer_frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   run.frames.push_back({.run = index, .step = last});
 }
 

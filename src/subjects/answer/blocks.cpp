@@ -157,7 +157,7 @@ void starts(PanelBuilder& panel) {
   int most = 1;
   for (int i = 0; i <= now; ++i) {
     cold.push_back(panel.effects.get<ColdStart>({.run = i}).iterations);
-    warm.push_back(panel.run.runs[static_cast<std::size_t>(i)].trace.result.iterations);
+    warm.push_back(panel.run.runs[i].trace.result.iterations);
     most = std::max({most, cold.back(), warm.back()});
   }
   panel.heading("Iterations at each position");
@@ -182,10 +182,9 @@ void starts(PanelBuilder& panel) {
     const auto bar = [&](const std::string& role, double x0, double x1, int value) {
       panel.add(role, Box{{{x0, bottom - kHeight * value / scale}, {x1, bottom}}, 0.0});
     };
-    bar("chart.cold", middle - half, middle, cold[static_cast<std::size_t>(i)]);
+    bar("chart.cold", middle - half, middle, cold[i]);
     // The first run has no simplex to start from.
-    bar(i == 0 ? "chart.cold" : "chart.warm", middle, middle + half,
-        warm[static_cast<std::size_t>(i)]);
+    bar(i == 0 ? "chart.cold" : "chart.warm", middle, middle + half, warm[i]);
   }
   panel.y = bottom + 30.0;
   const double cold_at = panel.right - 76.0;
@@ -238,7 +237,7 @@ void bound_steps(PanelBuilder& panel) {
     while (last + 1 < static_cast<int>(steps.size()) && last < now &&
            steps[static_cast<std::size_t>(last) + 1].iteration == iteration)
       ++last;
-    const DistanceBounds& bounds = positioned.bounds[static_cast<std::size_t>(last)];
+    const DistanceBounds& bounds = positioned.bounds[last];
     const double middle = panel.y - 5.0;
     panel.write(is_reached ? "strong" : "untried", panel.left, std::to_string(iteration),
                 type::kStrong);
@@ -255,9 +254,7 @@ void bound_steps(PanelBuilder& panel) {
                   fmt::format("{} … {}", fixed(bounds.lower, 3), fixed(bounds.upper, 3)),
                   type::kCode, Align::right);
     }
-    while (step < static_cast<int>(steps.size()) &&
-           steps[static_cast<std::size_t>(step)].iteration == iteration)
-      ++step;
+    while (step < static_cast<int>(steps.size()) && steps[step].iteration == iteration) ++step;
     panel.y += kRow + 2.0;
   }
 }

@@ -87,7 +87,7 @@ void warm_start(const Story& story, FrameText& text) {
   int warm_sum = 0;
   for (int i = 0; i <= last; ++i) {
     cold_sum += cold(i);
-    warm_sum += story.run.runs[static_cast<std::size_t>(i)].trace.result.iterations;
+    warm_sum += story.run.runs[i].trace.result.iterations;
   }
   text.detail += fmt::format(" All {} runs take {} iterations; cold starts would take {}.",
                              last + 1, warm_sum, cold_sum);
@@ -96,7 +96,7 @@ void warm_start(const Story& story, FrameText& text) {
 /// How the shapes, and with them Z, moved since the last position.
 std::string moves(const Story& story) {
   const Lesson& lesson = story.run.lesson;
-  const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
+  const PositionedRun& last = story.run.runs[story.frame.run - 1];
   const Eigen::Vector3d x_by =
       story.positioned.x().placement.translate - last.x().placement.translate;
   const Eigen::Vector3d y_by =
@@ -151,14 +151,14 @@ std::string weighted(const Story& story, const std::vector<std::string>& names) 
   std::string out;
   for (const int i : SimplexWords(story.run, simplex).order(simplex.all())) {
     if (!out.empty()) out += " + ";
-    out += story.numbers.weight(simplex.weights[i]) + " " + names[static_cast<std::size_t>(i)];
+    out += story.numbers.weight(simplex.weights[i]) + " " + names[i];
   }
   return out;
 }
 
 bool x_has_moved(const Story& story) {
   if (story.frame.run == 0) return false;
-  const PositionedRun& last = story.run.runs[static_cast<std::size_t>(story.frame.run - 1)];
+  const PositionedRun& last = story.run.runs[story.frame.run - 1];
   return story.positioned.x().placement.translate != last.x().placement.translate;
 }
 

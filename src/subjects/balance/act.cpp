@@ -12,13 +12,13 @@ namespace gjkscope::acts {
 namespace {
 
 void time_frames(LessonRun& run, int index) {
-  if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
+  if (run.runs[index].trace.steps.empty()) return;
   const int moments = static_cast<int>(run.lesson.table.as<LessonTime>()->at(index).size());
   for (int i = 0; i < moments; ++i) run.frames.push_back({.run = index, .step = 0, .part = i});
 }
 
 std::string time_position(const LessonRun& run, int index) {
-  const double seconds = seconds_of(run, run.frames[static_cast<std::size_t>(index)]);
+  const double seconds = seconds_of(run, run.frames[index]);
   return fmt::format("t = {} s · {} of {}", fixed(seconds, 2), index + 1, run.frames.size());
 }
 
@@ -47,8 +47,7 @@ Frame time_asking(const LessonRun&, const Frame& frame) {
 }
 
 void time_question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   const Balance::Value& value = story.effects.get<Balance>(story.frame);
   const std::string a = story.words.vertex(0);
   const std::string b = story.words.vertex(1);

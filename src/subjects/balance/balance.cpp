@@ -102,7 +102,7 @@ std::array<double, 2> arms_of(const Beam& beam) {
 
 double seconds_of(const LessonRun& run, const Frame& frame) {
   const int moment = *beam_moment(run, frame);
-  return run.lesson.table.as<LessonTime>()->at(frame.run)[static_cast<std::size_t>(moment)];
+  return run.lesson.table.as<LessonTime>()->at(frame.run)[moment];
 }
 
 std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,

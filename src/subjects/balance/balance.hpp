@@ -53,8 +53,8 @@ inline constexpr double kBeamStep = 1.0 / 1024.0;
                                       double step = kBeamStep);
 
 /// The weights of a segment as masses on a beam, and G as its balance point (Catto 2010, slides
-/// "mass A = mass B" to "massA>0 massB>0"). There is no negative mass: where a weight is negative
-/// the beam goes without. Nothing where the simplex is no segment.
+/// "mass A = mass B" to "massA>0 massB>0"). A negative weight puts no mass on the beam. A simplex
+/// that is no segment has no moments.
 struct Balance {
   static constexpr std::string_view kName = "balance";
   static constexpr std::string_view kNeeds = "barycentric-weights";

@@ -16,7 +16,7 @@ struct LessonTime {
   std::vector<std::vector<double>> moments = {};  ///< In seconds, ascending.
   /// The moments at a position, in seconds.
   [[nodiscard]] std::vector<double> at(int position) const {
-    if (frames == 0) return moments[static_cast<std::size_t>(position)];
+    if (frames == 0) return moments[position];
     std::vector<double> out;
     for (int i = 0; i < frames; ++i) out.push_back(seconds * i / (frames - 1));
     return out;

@@ -18,7 +18,7 @@ int Shown::over(PiecesPhase phase, bool of_x) const {
 const models::PieceRun* Shown::least(int pairs) const {
   const models::PieceRun* found = nullptr;
   for (int i = 0; i < pairs; ++i) {
-    const models::PieceRun& run = told.result.runs[static_cast<std::size_t>(i)];
+    const models::PieceRun& run = told.result.runs[i];
     if (!run.skipped && (found == nullptr || run.distance < found->distance)) found = &run;
   }
   return found;
@@ -28,9 +28,7 @@ std::vector<int> Shown::tip_and_no_ears(const PiecesStep& at) const {
   const models::Pieces& pieces = told.of(at.of_x);
   std::vector<int> left;
   for (int i = 0; i < static_cast<int>(pieces.points.size()); ++i) left.push_back(i);
-  const auto tip = [&](int triangle) {
-    return pieces.triangles[static_cast<std::size_t>(triangle)][1];
-  };
+  const auto tip = [&](int triangle) { return pieces.triangles[triangle][1]; };
   for (int i = 0; i < at.index; ++i) std::erase(left, tip(i));
   std::vector<int> out;
   const std::size_t count = left.size();
@@ -45,8 +43,7 @@ std::vector<int> Shown::tip_and_no_ears(const PiecesStep& at) const {
 std::string Shown::piece(bool of_x, int index) const {
   const models::Pieces& pieces = told.of(of_x);
   if (pieces.pieces.size() == 1) return shape(of_x).name;
-  return fmt::format("piece {} of {}",
-                     corners_name(shape(of_x), pieces.pieces[static_cast<std::size_t>(index)]),
+  return fmt::format("piece {} of {}", corners_name(shape(of_x), pieces.pieces[index]),
                      shape(of_x).name);
 }
 

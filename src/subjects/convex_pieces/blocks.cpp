@@ -8,9 +8,7 @@ void listing(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   const bool pairs = shown.is(PiecesPhase::pair);
   const bool merges = shown.is(PiecesPhase::merge);
-  const bool merged =
-      merges &&
-      shown.told.of(shown.step->of_x).merges[static_cast<std::size_t>(shown.step->index)].merged;
+  const bool merged = merges && shown.told.of(shown.step->of_x).merges[shown.step->index].merged;
   blocks::listing_line(panel, "cut X, Y into triangles, ear by ear",
                        shown.is(PiecesPhase::triangle));
   blocks::listing_line(panel, "for each diagonal", merges && !merged);
@@ -31,14 +29,12 @@ void counts(PanelBuilder& panel) {
   int gone = 0;
   for (const bool of_x : {true, false}) {
     const auto& merges = shown.told.of(of_x).merges;
-    for (int i = 0; i < shown.over(PiecesPhase::merge, of_x); ++i)
-      gone += merges[static_cast<std::size_t>(i)].merged ? 1 : 0;
+    for (int i = 0; i < shown.over(PiecesPhase::merge, of_x); ++i) gone += merges[i].merged ? 1 : 0;
   }
   panel.row("diagonals taken away", std::to_string(gone));
   int skipped = 0;
   const int pairs = shown.over(PiecesPhase::pair);
-  for (int i = 0; i < pairs; ++i)
-    skipped += shown.told.result.runs[static_cast<std::size_t>(i)].skipped ? 1 : 0;
+  for (int i = 0; i < pairs; ++i) skipped += shown.told.result.runs[i].skipped ? 1 : 0;
   panel.row("runs of GJK", std::to_string(pairs - skipped));
   panel.row("pairs skipped", std::to_string(skipped));
   panel.row("δ", shown.least() == nullptr ? "∞" : panel.numbers(shown.least()->distance));

@@ -13,8 +13,7 @@ template <class Corners>
 std::vector<Point> points_of(const SceneBuilder& scene, const models::Pieces& pieces,
                              const Corners& corners) {
   std::vector<Point> points;
-  for (const int corner : corners)
-    points.push_back(scene.at(pieces.points[static_cast<std::size_t>(corner)]));
+  for (const int corner : corners) points.push_back(scene.at(pieces.points[corner]));
   return points;
 }
 
@@ -23,8 +22,7 @@ void triangles(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const int over = shown.over(PiecesPhase::triangle, of_x);
   for (int i = 0; i < over; ++i) {
     const bool is_current = shown.step->of_x == of_x && i == shown.step->index;
-    const std::vector<Point> points =
-        points_of(scene, pieces, pieces.triangles[static_cast<std::size_t>(i)]);
+    const std::vector<Point> points = points_of(scene, pieces, pieces.triangles[i]);
     scene.area(is_current ? "simplex" : "piece", points);
     scene.outline(points);
   }
@@ -34,7 +32,7 @@ void diagonals(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const models::Pieces& pieces = shown.told.of(of_x);
   const int over = shown.over(PiecesPhase::merge, of_x);
   for (int i = 0; i < static_cast<int>(pieces.merges.size()); ++i) {
-    const models::Merge& merge = pieces.merges[static_cast<std::size_t>(i)];
+    const models::Merge& merge = pieces.merges[i];
     const bool is_current =
         shown.is(PiecesPhase::merge) && shown.step->of_x == of_x && i == shown.step->index;
     const bool is_gone = merge.merged && i < over;
@@ -72,11 +70,10 @@ void pair(SceneBuilder& scene, const Shown& shown) {
   const models::PieceRun& run = shown.run();
   for (const bool of_x : {true, false}) {
     const models::Pieces& pieces = shown.told.of(of_x);
-    const auto& corners = pieces.pieces[static_cast<std::size_t>(of_x ? run.a : run.b)];
+    const auto& corners = pieces.pieces[of_x ? run.a : run.b];
     scene.area("simplex", points_of(scene, pieces, corners));
     std::vector<Vector2d> world;
-    for (const int corner : corners)
-      world.push_back(pieces.points[static_cast<std::size_t>(corner)]);
+    for (const int corner : corners) world.push_back(pieces.points[corner]);
     if (run.skipped) box(scene, world);
   }
   const models::PieceRun* least = shown.least();

@@ -41,9 +41,8 @@ PiecesTrace::PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& ou
 }
 
 StepInfo PiecesTrace::info(int index) const {
-  const PiecesStep& step = told[static_cast<std::size_t>(index)];
-  const bool is_event =
-      step.phase == PiecesPhase::pair && result.runs[static_cast<std::size_t>(step.index)].skipped;
+  const PiecesStep& step = told[index];
+  const bool is_event = step.phase == PiecesPhase::pair && result.runs[step.index].skipped;
   return {index + 1, kPhases[static_cast<std::size_t>(step.phase)], is_event};
 }
 
@@ -54,7 +53,7 @@ double PiecesTrace::answer(std::string_view name) const {
 }
 
 Json PiecesTrace::step_json(const Lesson& lesson, int index) const {
-  const PiecesStep& step = told[static_cast<std::size_t>(index)];
+  const PiecesStep& step = told[index];
   const auto at = static_cast<std::size_t>(step.index);
   const LessonShape& shape = step.of_x ? lesson.x() : lesson.y();
   const models::Pieces& pieces = of(step.of_x);
@@ -67,8 +66,8 @@ Json PiecesTrace::step_json(const Lesson& lesson, int index) const {
             {"taken_away", merge.merged}};
   }
   const models::PieceRun& run = result.runs[at];
-  Json out = {{"x", corners_name(lesson.x(), x.pieces[static_cast<std::size_t>(run.a)])},
-              {"y", corners_name(lesson.y(), y.pieces[static_cast<std::size_t>(run.b)])},
+  Json out = {{"x", corners_name(lesson.x(), x.pieces[run.a])},
+              {"y", corners_name(lesson.y(), y.pieces[run.b])},
               {"bound", fields::number(run.bound)},
               {"least_before", fields::number(run.least)},
               {"skipped", run.skipped}};

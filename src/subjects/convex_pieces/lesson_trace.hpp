@@ -45,12 +45,12 @@ class PiecesTrace final : public OutlineTrace {
 template <class Corners>
 [[nodiscard]] std::string corners_name(const LessonShape& shape, const Corners& corners) {
   std::string name;
-  for (const int corner : corners) name += shape.vertex_names[static_cast<std::size_t>(corner)];
+  for (const int corner : corners) name += shape.vertex_names[corner];
   return name;
 }
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const PiecesTrace& pieces_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const PiecesTrace& pieces_trace(const AlgorithmTrace& trace) {
   return static_cast<const PiecesTrace&>(trace);
 }
 

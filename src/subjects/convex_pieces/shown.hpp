@@ -16,7 +16,7 @@ inline constexpr AskInfo kAskPair{"piece-pair", "whether a pair of pieces is run
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(pieces_told(run.algorithm_trace(frame))),
+        told(pieces_trace(run.algorithm_trace(frame))),
         step(last_step_over(told.told, frame)),
         is_answer(frame.step >= told.steps()) {}
 
@@ -32,9 +32,7 @@ struct Shown {
   [[nodiscard]] int over(PiecesPhase phase) const { return over(phase, true) + over(phase, false); }
   [[nodiscard]] int over(PiecesPhase phase, bool of_x) const;
   /// The pair of a frame that shows one.
-  [[nodiscard]] const models::PieceRun& run() const {
-    return told.result.runs[static_cast<std::size_t>(step->index)];
-  }
+  [[nodiscard]] const models::PieceRun& run() const { return told.result.runs[step->index]; }
   /// The run with the least distance by now; none before the first.
   [[nodiscard]] const models::PieceRun* least() const { return least(over(PiecesPhase::pair)); }
   /// The same of the first `pairs`.

@@ -10,8 +10,7 @@ namespace {
 void triangle(const Shown& shown, FrameText& text) {
   const LessonShape& shape = shown.shape(shown.step->of_x);
   const auto& triangles = shown.told.of(shown.step->of_x).triangles;
-  const std::string name =
-      corners_name(shape, triangles[static_cast<std::size_t>(shown.step->index)]);
+  const std::string name = corners_name(shape, triangles[shown.step->index]);
   if (shown.step->index + 1 == static_cast<int>(triangles.size())) {
     text.caption = fmt::format("Triangle {} is what is left of {}.", name, shape.name);
     text.detail = fmt::format("{} is cut into {} triangles. A polygon with n corners gives n − 2.",
@@ -27,8 +26,7 @@ void triangle(const Shown& shown, FrameText& text) {
 
 void merge(const Shown& shown, FrameText& text) {
   const LessonShape& shape = shown.shape(shown.step->of_x);
-  const models::Merge& merge =
-      shown.told.of(shown.step->of_x).merges[static_cast<std::size_t>(shown.step->index)];
+  const models::Merge& merge = shown.told.of(shown.step->of_x).merges[shown.step->index];
   const std::string name = corners_name(shape, std::array{merge.from, merge.to});
   if (merge.merged) {
     text.caption = fmt::format("Diagonal {} goes: its two pieces become one.", name);
@@ -64,12 +62,10 @@ void pair(const Story& story, const Shown& shown, FrameText& text) {
 
 void ask_for_an_ear(const Shown& shown, const PiecesStep& step, FrameText& text) {
   const LessonShape& shape = shown.shape(step.of_x);
-  const auto name = [&](int corner) {
-    return shape.vertex_names[static_cast<std::size_t>(corner)];
-  };
+  const auto name = [&](int corner) { return shape.vertex_names[corner]; };
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEar.name), {}, {}});
   for (const int corner : shown.tip_and_no_ears(step)) asked.choices.push_back(name(corner));
-  asked.answer = name(shown.told.of(step.of_x).triangles[static_cast<std::size_t>(step.index)][1]);
+  asked.answer = name(shown.told.of(step.of_x).triangles[step.index][1]);
   asked.refuted = "At the others what is left turns in, or another corner lies in the triangle.";
   text.caption = fmt::format(
       "Question: at which of these corners is an ear of {}, to be cut off next? Point at it.",
@@ -109,11 +105,10 @@ void words(const Story& story, FrameText& text) {
 
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  const PiecesStep& step = shown.told.told[static_cast<std::size_t>(story.frame.answering_step)];
+  const PiecesStep& step = shown.told.told[story.frame.answering_step];
   if (step.phase == PiecesPhase::triangle) return ask_for_an_ear(shown, step, text);
   if (step.phase == PiecesPhase::merge) {
-    const models::Merge& merge =
-        shown.told.of(step.of_x).merges[static_cast<std::size_t>(step.index)];
+    const models::Merge& merge = shown.told.of(step.of_x).merges[step.index];
     FrameQuestion& asked = text.question.emplace(
         FrameQuestion{std::string(kAskDiagonal.name),
                       {"it goes: the piece stays convex", "it stays: a corner would turn in"},
@@ -124,7 +119,7 @@ void question(const Story& story, FrameText& text) {
                     corners_name(shown.shape(step.of_x), std::array{merge.from, merge.to}));
     return;
   }
-  const models::PieceRun& run = shown.told.result.runs[static_cast<std::size_t>(step.index)];
+  const models::PieceRun& run = shown.told.result.runs[step.index];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{
       std::string(kAskPair.name), {"run GJK", "skip: their boxes are too far apart"}, {}});
   asked.answer = asked.choices[run.skipped ? 1 : 0];
@@ -142,7 +137,7 @@ void values(const Story& story, FrameText& text) {
   put("triangles", std::to_string(shown.over(PiecesPhase::triangle)));
   int runs = 0;
   for (int i = 0; i < shown.over(PiecesPhase::pair); ++i)
-    runs += shown.told.result.runs[static_cast<std::size_t>(i)].skipped ? 0 : 1;
+    runs += shown.told.result.runs[i].skipped ? 0 : 1;
   put("runs", std::to_string(runs));
   if (shown.least() != nullptr) put("least", story.numbers(shown.least()->distance));
 }

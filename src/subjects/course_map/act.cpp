@@ -61,7 +61,7 @@ Vector2d corner(int chapter) {
   return {column * apart, -row * (kHeight + kBelow)};
 }
 
-/// The chapters that are told by a frame.
+/// The chapters that a frame describes.
 int told(const Frame& frame) { return frame.part; }
 
 void frames(LessonRun& run, int index) { guesses::add_part_frames(run, index, kChapters + 1); }
@@ -90,7 +90,7 @@ void question(const Story& story, FrameText& text) {
   for (int i = 0; i + 1 < next; ++i) {
     const Vector2d middle = corner(i) + 0.5 * Vector2d(kWidth, kHeight);
     const Vector2d half(0.5 * (kWidth - kHeight), 0.0);
-    asked.choices.emplace_back(kCourse[static_cast<std::size_t>(i)].title);
+    asked.choices.emplace_back(kCourse[i].title);
     asked.spots.push_back(
         Spot{ViewKind::world, Vector2d(middle - half), Vector2d(middle + half), 0.5 * kHeight});
   }
@@ -196,11 +196,10 @@ void stage(SceneBuilder& scene) {
       const double gap = scene.map.scale() * kBetween;
       scene.arrow("map.uses", from, from - Point(gap - 8.0, 0.0));
     }
-    scene.out.marks.push_back(
-        {"map.title", Text{{box.center().x(), box.max.y() + 20.0},
-                           fmt::format("{}  {}", i + 1, kCourse[static_cast<std::size_t>(i)].title),
-                           is_current ? type::kStrong : type::kText,
-                           Align::center}});
+    scene.out.marks.push_back({"map.title", Text{{box.center().x(), box.max.y() + 20.0},
+                                                 fmt::format("{}  {}", i + 1, kCourse[i].title),
+                                                 is_current ? type::kStrong : type::kText,
+                                                 Align::center}});
     picture(scene, i);
   }
   const WideResult& result = scene.positioned.trace.result;

@@ -36,7 +36,7 @@ std::optional<double> Shown::distance(const depth::Edge<double>& edge) const {
 std::string ends(const LessonRun& run, const depth::State<double>& state,
                  const depth::Edge<double>& edge) {
   const auto name = [&](int corner) {
-    return run.pair_name(state.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
+    return run.pair_name(state.polygon.corners[corner].point.pair);
   };
   return edge.from == edge.to ? name(edge.from)
                               : fmt::format("{} to {}", name(edge.from), name(edge.to));
@@ -89,7 +89,7 @@ namespace {
 constexpr std::array kAsks = {kAskEdge, kAskFace, kAskVisible, kAskBeyond, asks::kSupport};
 
 /// One value alone is the least, as far as a reader can see.
-bool is_told_apart(const std::vector<double>& values) {
+bool are_distinct(const std::vector<double>& values) {
   constexpr double kSeen = 1e-3;
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double limit = *least + kSeen * (*most - *least);
@@ -114,7 +114,7 @@ bool has_one_support_point(const auto& record) {
   for (const auto* scan : {&record.scan_x, &record.scan_y}) {
     std::vector<double> values;
     for (const gjk::ScanEntry<double>& entry : *scan) values.push_back(-entry.value);
-    if (!is_told_apart(values)) return false;
+    if (!are_distinct(values)) return false;
   }
   return true;
 }
@@ -134,7 +134,7 @@ bool answers(const S& shown, const LessonQuestion& question) {
   if (question.ask == kAskBeyond.name) return shown.is(Phase::support);
   if (question.ask == kAskVisible.name) return shown.is(Phase::stop) && dropped_after(shown) == 2;
   return question.ask == (std::is_same_v<S, Shown> ? kAskEdge : kAskFace).name &&
-         shown.is(Phase::nearest) && is_told_apart(distances(shown));
+         shown.is(Phase::nearest) && are_distinct(distances(shown));
 }
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
@@ -162,7 +162,7 @@ bool is_at_answer(const LessonRun& run, const Frame& frame) {
 }
 
 std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   if (frame.step < 0) return "start";
   if (is_at_answer(run, frame))
     return fmt::format("answer · {} of {}", index + 1, run.frames.size());
@@ -189,7 +189,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
 void reach(const LessonRun& run, int index, ViewKind view, Eigen::AlignedBox2d& seen) {
   const DepthResult& result = *depth_result(run, index);
   if (view != ViewKind::world || !result.translation.allFinite()) return;
-  for (const Eigen::Vector3d& vertex : run.runs[static_cast<std::size_t>(index)].x().world)
+  for (const Eigen::Vector3d& vertex : run.runs[index].x().world)
     seen.extend(in_plane(vertex + result.translation));
 }
 

@@ -170,7 +170,7 @@ void faces(PanelBuilder& panel) {
     std::string name = fmt::format("{:<4}", face_name(shown.trace, face));
     for (const int corner : shown.face(face).corners) {
       name += ' ';
-      name += panel.run.pair_name(shown.polytope().corners[static_cast<std::size_t>(corner)].pair);
+      name += panel.run.pair_name(shown.polytope().corners[corner].pair);
     }
     const std::string value =
         tells_visible ? (shown.is_visible(face) ? "yes" : "no")

@@ -39,12 +39,11 @@ void polygon(SceneBuilder& scene, const Shown& shown) {
                scene.at(polygon.at(edge.from)), scene.at(polygon.at(edge.to)));
   }
   for (const depth::Edge<double>& edge : edges) {
-    scene.simplex_vertex(in_space(polygon.corners[static_cast<std::size_t>(edge.from)].point),
-                         "polygon");
+    scene.simplex_vertex(in_space(polygon.corners[edge.from].point), "polygon");
   }
   if (!shown.is(Phase::expand)) return;
   for (const int corner : shown.step->record.outgrown) {
-    const auto& point = polygon.corners[static_cast<std::size_t>(corner)].point;
+    const auto& point = polygon.corners[corner].point;
     scene.disk("dropped", scene.at(point.w), kRingRadius);
     scene.pair_label(in_space(point), "dropped.label");
   }
@@ -99,8 +98,7 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
   }
   if (shown.knows_nearest() && !shown.knows_support()) {
     for (const int end : {shown.state.edge.from, shown.state.edge.to}) {
-      scene.simplex_vertex(
-          in_space(shown.state.polygon.corners[static_cast<std::size_t>(end)].point), "polygon");
+      scene.simplex_vertex(in_space(shown.state.polygon.corners[end].point), "polygon");
     }
   }
   if (!shown.knows_support()) return;

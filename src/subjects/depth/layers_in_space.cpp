@@ -29,7 +29,7 @@ class Drawn {
       const std::array<int, 3>& corners = shown.face(all[i]).corners;
       solid_.faces.push_back({{corners.begin(), corners.end()}, normal});
       solid_.vertices.insert(solid_.vertices.end(), corners.begin(), corners.end());
-      place[static_cast<std::size_t>(all[i])] = static_cast<int>(i);
+      place[all[i]] = static_cast<int>(i);
     }
     std::sort(solid_.vertices.begin(), solid_.vertices.end());
     solid_.vertices.erase(std::unique(solid_.vertices.begin(), solid_.vertices.end()),
@@ -39,8 +39,7 @@ class Drawn {
         const int beyond = shown.face(face).neighbours[i];
         if (beyond < face) continue;
         solid_.edges.push_back({shown.face(face).corners[i], shown.face(face).corners[(i + 1) % 3],
-                                place[static_cast<std::size_t>(face)],
-                                place[static_cast<std::size_t>(beyond)]});
+                                place[face], place[beyond]});
       }
     }
     if (!has_area) solid_ = hull_in_space(points_);
@@ -186,7 +185,7 @@ void in_world(SceneBuilder& scene, const ShownInSpace& shown) {
   }
   if (shown.is(Phase::nearest)) {
     for (const int corner : shown.face(shown.state.face).corners)
-      scene.simplex_vertex(shown.polytope().corners[static_cast<std::size_t>(corner)], "polytope");
+      scene.simplex_vertex(shown.polytope().corners[corner], "polytope");
   }
   if (!shown.knows_support()) return;
   scene.search_arrow(scene.at(scene.vertex_of_y(shown.state.support)), shown.state.n, kPairArrow,

@@ -239,9 +239,9 @@ const DepthResult& wide(const DepthResult& result) { return result; }
 bool is_event(const depth::Record<double>& record) { return !record.outgrown.empty(); }
 bool is_event(const depth::space::Record<double>& record) { return record.outgrown.size() > 1; }
 
-class Told : public AlgorithmTrace {
+class LessonTrace : public AlgorithmTrace {
  public:
-  explicit Told(const DepthResult& result) : result_(result) {}
+  explicit LessonTrace(const DepthResult& result) : result_(result) {}
   [[nodiscard]] const DepthResult& result() const { return result_; }
   [[nodiscard]] double answer(std::string_view) const override { return result_.depth; }
 
@@ -250,14 +250,14 @@ class Told : public AlgorithmTrace {
 };
 
 template <class Trace>
-class ToldOf final : public Told {
+class LessonTraceOf final : public LessonTrace {
  public:
-  explicit ToldOf(Trace trace) : Told(wide(trace.result)), trace_(std::move(trace)) {}
+  explicit LessonTraceOf(Trace trace) : LessonTrace(wide(trace.result)), trace_(std::move(trace)) {}
 
   [[nodiscard]] const Trace& trace() const { return trace_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(trace_.steps.size()); }
   [[nodiscard]] StepInfo info(int step) const override {
-    const auto& shown = trace_.steps[static_cast<std::size_t>(step)];
+    const auto& shown = trace_.steps[step];
     return {shown.iteration, name_of(shown.phase),
             shown.after.stop != depth::StopReason::running || is_event(shown.record)};
   }
@@ -274,10 +274,10 @@ std::shared_ptr<const AlgorithmTrace> traced(const Lesson& lesson, const Positio
   return with_query_in<S, D>(lesson, placements_of(run), [&](const gjk::Query<S, D>& query) {
     const gjk::Options options = started_as(run, lesson.options);
     if constexpr (D == 3) {
-      return std::make_shared<const ToldOf<Trace>>(
+      return std::make_shared<const LessonTraceOf<Trace>>(
           widened_depth<S, D, Trace>(depth::space::trace<S>(query, options)));
     } else {
-      return std::make_shared<const ToldOf<Trace>>(
+      return std::make_shared<const LessonTraceOf<Trace>>(
           widened_depth<S, D, Trace>(depth::trace<S>(query, options)));
     }
   });
@@ -291,9 +291,9 @@ std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const Posi
   });
 }
 
-const Told* told(const LessonRun& run, int index) {
+const LessonTrace* told(const LessonRun& run, int index) {
   if (run.act->algorithm != &kDepthAlgorithm) return nullptr;
-  return static_cast<const Told*>(run.algorithm_traces[static_cast<std::size_t>(index)].get());
+  return static_cast<const LessonTrace*>(run.algorithm_traces[index].get());
 }
 
 template <class S, int D>
@@ -321,17 +321,17 @@ const Algorithm kDepthAlgorithm{.name = "depth",
                                 .text = text};
 
 const DepthTrace* depth_trace(const LessonRun& run, int index) {
-  const auto* found = dynamic_cast<const ToldOf<DepthTrace>*>(told(run, index));
+  const auto* found = dynamic_cast<const LessonTraceOf<DepthTrace>*>(told(run, index));
   return found == nullptr ? nullptr : &found->trace();
 }
 
 const DepthTraceInSpace* depth_trace_in_space(const LessonRun& run, int index) {
-  const auto* found = dynamic_cast<const ToldOf<DepthTraceInSpace>*>(told(run, index));
+  const auto* found = dynamic_cast<const LessonTraceOf<DepthTraceInSpace>*>(told(run, index));
   return found == nullptr ? nullptr : &found->trace();
 }
 
 const DepthResult* depth_result(const LessonRun& run, int index) {
-  const Told* found = told(run, index);
+  const LessonTrace* found = told(run, index);
   return found == nullptr ? nullptr : &found->result();
 }
 

@@ -66,7 +66,7 @@ struct ShownInSpace : ShownPart<DepthTraceInSpace> {
   ShownInSpace(const LessonRun& run, const Frame& frame);
   [[nodiscard]] const depth::space::Polytope<double>& polytope() const { return state.polytope; }
   [[nodiscard]] const depth::space::Face<double>& face(int face) const {
-    return state.polytope.faces[static_cast<std::size_t>(face)];
+    return state.polytope.faces[face];
   }
   /// The three corners of a face, and the middle between them.
   [[nodiscard]] std::array<Eigen::Vector3d, 3> corners(int of) const;

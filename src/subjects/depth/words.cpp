@@ -212,7 +212,7 @@ class Telling : TellingOf<Shown> {
 
   void expand() {
     const auto name = [&](int corner) {
-      return run_.pair_name(state_.polygon.corners[static_cast<std::size_t>(corner)].point.pair);
+      return run_.pair_name(state_.polygon.corners[corner].point.pair);
     };
     const int count = state_.polygon.count;
     if (count == 2) {
@@ -393,8 +393,7 @@ void question_of(const Story& story, FrameText& text) {
   Frame answering = story.frame;
   answering.step = story.frame.answering_step;
   const S shown(story.run, answering);
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
   if (ask == asks::kSupport.name) return support_question(story, shown.state.support.pair, text);
   if (ask != kAskBeyond.name) return facet_question(story.run, shown, text);

@@ -30,7 +30,7 @@ std::vector<BuildFrame> build_frames(const Lesson& lesson) {
 }
 
 void pairs_frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   const int count = static_cast<int>(build_frames(run.lesson).size());
   for (int i = 0; i < count; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
 }
@@ -110,8 +110,7 @@ int pairs_answer(const LessonRun& run, const Frame&, const Frame& frame,
 }
 
 void pairs_question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   if (ask != kAskInside.name) return captions::closest_question(story, text);
   const Inside inside = inside_of(story.positioned);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});

@@ -114,7 +114,7 @@ void difference(SceneBuilder& scene) {
     std::vector<Point> points;
     for (const CloudPoint& corner : scene.effects.get<MinkowskiHull>(scene.frame))
       points.push_back(scene.at(corner.z));
-    points = told_apart(points);
+    points = separate_points(points);
     scene.area(hull_is_ghost(scene) ? "hull.ghost" : "hull", points, {Subject::Kind::difference});
     scene.outline(points);
   }
@@ -205,8 +205,7 @@ void origins_of_edges(SceneBuilder& scene) {
   const auto& y_names = scene.run.lesson.y().vertex_names;
   // As words name an edge: AC, though −X is walked along from C to A.
   const auto edge = [](const std::vector<std::string>& names, int a, int b) {
-    return names[static_cast<std::size_t>(std::min(a, b))] +
-           names[static_cast<std::size_t>(std::max(a, b))];
+    return names[std::min(a, b)] + names[std::max(a, b)];
   };
   Vector2d middle = Vector2d::Zero();
   for (const CloudPoint& corner : hull) middle += corner.z / static_cast<double>(hull.size());

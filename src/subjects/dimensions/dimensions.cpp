@@ -86,7 +86,7 @@ bool has_ended(const WideTrace& trace, int step) {
 
 bool is_shown(const LessonRun& run, int, int step) {
   const WideTrace& trace = run.runs.front().trace;
-  const Phase phase = trace.steps[static_cast<std::size_t>(step)].phase;
+  const Phase phase = trace.steps[step].phase;
   return phase == Phase::closest || phase == Phase::support || has_ended(trace, step);
 }
 
@@ -113,8 +113,7 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
 }
 
 void question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   if (ask != kAskMost.name) return captions::question(story, text);
   const bool in_space = story.run.lesson.dimension == 3;
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});

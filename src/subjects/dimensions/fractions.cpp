@@ -31,15 +31,14 @@ void draw_fraction(SceneBuilder& scene) {
   if (scene.frame.part < 0 || value.weights.empty()) return;
   const WideSimplex& simplex = value.simplex;
   Vector3d g = Vector3d::Zero();
-  for (int i = 0; i < simplex.count; ++i)
-    g += value.weights[static_cast<std::size_t>(i)] * simplex.vertices[i].w;
+  for (int i = 0; i < simplex.count; ++i) g += value.weights[i] * simplex.vertices[i].w;
   if (simplex.count < kVertices) {
     scene.add("fraction.foot",
               Polyline{{scene.at_difference(Vector3d::Zero()), scene.at_difference(g)}});
   }
   const int marked = scene.frame.part;
   if (marked < simplex.count) {
-    const double weight = value.weights[static_cast<std::size_t>(marked)];
+    const double weight = value.weights[marked];
     const std::string role = weight < 0.0 ? "fraction.negative" : "fraction";
     std::vector<Vector3d> corners = {g + scene.shift};
     for (int i = 0; i < simplex.count; ++i) {
@@ -87,7 +86,7 @@ std::vector<BarycentricWeights::Value> all_weights(EffectGraph& effects, const F
 // ---- frames and the question ----
 
 void frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   const int step = std::min(0, last);
   if (index == 0) run.frames.push_back({.run = index});
   for (int part = 0; step == 0 && part < kVertices; ++part)
@@ -157,16 +156,15 @@ void words(const Story& story, FrameText& text) {
     const auto& [simplex, weights] = all[k];
     if (marked >= simplex.count) continue;
     const std::string point = k + 1 == all.size() ? story.q : "G";
-    each.push_back(
-        weights.empty()
-            ? fmt::format("no {}", kMeasures[k])
-            : fmt::format("{}{} / {} = {}", point, names(run, simplex, marked), names(run, simplex),
-                          story.numbers.weight(weights[static_cast<std::size_t>(marked)])));
+    each.push_back(weights.empty()
+                       ? fmt::format("no {}", kMeasures[k])
+                       : fmt::format("{}{} / {} = {}", point, names(run, simplex, marked),
+                                     names(run, simplex), story.numbers.weight(weights[marked])));
   }
   text.caption = fmt::format("The weight of {} is the part opposite to it: {}.", name,
                              and_list(std::move(each)));
   const std::vector<double>& weights = all.back().weights;
-  const double weight = weights.empty() ? 0.0 : weights[static_cast<std::size_t>(marked)];
+  const double weight = weights.empty() ? 0.0 : weights[marked];
   const std::string face = names(run, whole, marked);
   text.detail =
       weight < 0.0
@@ -194,7 +192,7 @@ void fractions(PanelBuilder& panel) {
     panel.heading(fmt::format("Fractions of {} {}", kMeasures[k], names(panel.run, simplex)));
     for (int i = 0; i < simplex.count; ++i) {
       const bool is_known = known && !weights.empty();
-      const double weight = is_known ? weights[static_cast<std::size_t>(i)] : 0.0;
+      const double weight = is_known ? weights[i] : 0.0;
       if (known && i == panel.frame.part) panel.highlight();
       panel.write("body", panel.left + 8.0, panel.run.pair_name(simplex.vertices[i].pair),
                   type::kBody);

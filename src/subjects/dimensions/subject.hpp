@@ -1,5 +1,5 @@
 #pragma once
-// The same thing in one, two and three dimensions, one view for each.
+// One query in one, two and three dimensions, each in a view of its own.
 
 #include "picture/act.hpp"
 #include "picture/block.hpp"

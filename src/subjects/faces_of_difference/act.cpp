@@ -17,7 +17,7 @@ constexpr int kMostVertices = 100;
 
 void frames(LessonRun& run, int index) {
   add_algorithm_frames(run, index);
-  const int steps = run.algorithm_traces[static_cast<std::size_t>(index)]->steps();
+  const int steps = run.algorithm_traces[index]->steps();
   if (steps > 0 && index + 1 == static_cast<int>(run.runs.size()))
     run.frames.push_back({.run = index, .step = steps, .part = 0});
 }
@@ -50,7 +50,7 @@ std::string name_of(const LessonRun& run, Kind kind) {
 }
 
 std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const Shown shown(run, frame);
   if (shown.step < 0) return "start";
   const std::string of = fmt::format("{} of {}", index + 1, run.frames.size());

@@ -18,15 +18,15 @@ void face_kinds(PanelBuilder& panel) {
   const int over = shown.asks ? shown.step - 1 : shown.step;
   const auto is_counted = [&](Kind kind) {
     for (int i = 0; i <= over; ++i) {
-      const FacesTrace::Step& step = told.all[static_cast<std::size_t>(i)];
+      const FacesTrace::Step& step = told.all[i];
       if (step.phase == Phase::all) return true;
       if (step.kind == kind && (step.phase == Phase::kind || told.count(kind) == 1)) return true;
     }
     return false;
   };
   const auto row = [&](Kind kind, const std::string& name) {
-    const bool is_now = over >= 0 && told.all[static_cast<std::size_t>(over)].kind == kind &&
-                        told.all[static_cast<std::size_t>(over)].phase != Phase::all && !shown.asks;
+    const bool is_now = over >= 0 && told.all[over].kind == kind &&
+                        told.all[over].phase != Phase::all && !shown.asks;
     if (is_now) panel.highlight();
     panel.row(name, is_counted(kind) ? std::to_string(told.count(kind)) : "");
   };
@@ -34,7 +34,7 @@ void face_kinds(PanelBuilder& panel) {
   row(Kind::of_x, fmt::format("faces of −{}", x));
   row(Kind::of_edges, "pairs of edges");
   if (told.count(Kind::of_several) > 0) row(Kind::of_several, "of several");
-  const bool has_all = over >= 0 && told.all[static_cast<std::size_t>(over)].phase == Phase::all;
+  const bool has_all = over >= 0 && told.all[over].phase == Phase::all;
   panel.row("in all", has_all ? std::to_string(told.faces.size()) : "");
   panel.rule();
   panel.heading(fmt::format("{} and {} have", y, x));

@@ -16,7 +16,7 @@ struct Solid {
   Points points;
   const Polyhedron& hull;
 
-  [[nodiscard]] const Vector3d& at(int i) const { return points[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Vector3d& at(int i) const { return points[i]; }
   [[nodiscard]] Way way(int from, int to) const { return {at(from), at(to)}; }
   /// The vertices that lie farthest along u × w, or against it.
   [[nodiscard]] std::vector<int> farthest(const Way& u, const Way& w, int sign) const {
@@ -36,7 +36,7 @@ struct Solid {
   }
   /// A vertex of a face that is no end of the edge.
   [[nodiscard]] int beside(const Polyhedron::Edge& edge, int face) const {
-    const std::vector<int>& ring = hull.faces[static_cast<std::size_t>(face)].vertices;
+    const std::vector<int>& ring = hull.faces[face].vertices;
     return *std::find_if(ring.begin(), ring.end(),
                          [&](int vertex) { return vertex != edge.from && vertex != edge.to; });
   }
@@ -98,12 +98,11 @@ std::vector<gjk::VertexPair> corners_of(const Face& face, Points x, Points y) {
   face.normal.cwiseAbs().maxCoeff(&axis);
   std::vector<Eigen::Vector2d> seen;
   for (const auto& [of_x, of_y] : all) {
-    const Vector3d z = y[static_cast<std::size_t>(of_y)] - x[static_cast<std::size_t>(of_x)];
+    const Vector3d z = y[of_y] - x[of_x];
     seen.emplace_back(z[(axis + 1) % 3], z[(axis + 2) % 3]);
   }
   std::vector<gjk::VertexPair> out;
-  for (const int corner : gjkscope::convex_hull(seen))
-    out.push_back(all[static_cast<std::size_t>(corner)]);
+  for (const int corner : gjkscope::convex_hull(seen)) out.push_back(all[corner]);
   return out;
 }
 

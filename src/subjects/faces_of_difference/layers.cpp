@@ -65,11 +65,10 @@ void source(SceneBuilder& scene, const Shown& shown, const Face& of_z, bool is_x
   const std::vector<int>& part = is_x ? of_z.x : of_z.y;
   const std::vector<Vector3d>& world = shown.bodies[is_x ? 0 : 1].world;
   std::vector<Point> corners;
-  for (const int vertex : part)
-    corners.push_back(scene.at(world[static_cast<std::size_t>(vertex)]));
+  for (const int vertex : part) corners.push_back(scene.at(world[vertex]));
   if (corners.size() > 2) {
     std::vector<Vector3d> face;
-    for (const int vertex : part) face.push_back(world[static_cast<std::size_t>(vertex)]);
+    for (const int vertex : part) face.push_back(world[vertex]);
     // X is mirrored in Z, so that its faces look the other way there.
     const bool is_behind = scene.map.towards_eye(of_z.normal) * (is_x ? -1.0 : 1.0) < 0.0;
     return draw_face(scene, face, is_behind ? "zface.behind" : is_x ? "zface.x" : "zface.y");

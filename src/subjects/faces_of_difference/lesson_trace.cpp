@@ -36,8 +36,7 @@ int shown_of_kind(const FacesTrace& told, Kind kind, const Lesson& lesson,
     const auto corners = corners_of(face, run.x().world, run.y().world);
     const auto at = [&](std::size_t k) -> Vector3d {
       const auto& [x, y] = corners[k % corners.size()];
-      return run.y().world[static_cast<std::size_t>(y)] -
-             run.x().world[static_cast<std::size_t>(x)];
+      return run.y().world[y] - run.x().world[x];
     };
     for (std::size_t k = 1; k + 1 < corners.size(); ++k)
       area += towards.dot((at(k) - at(0)).cross(at(k + 1) - at(0)));
@@ -72,7 +71,7 @@ std::shared_ptr<const AlgorithmTrace> find_faces(const Lesson& lesson, const Pos
 }  // namespace
 
 StepInfo FacesTrace::info(int step) const {
-  const Step& at = all[static_cast<std::size_t>(step)];
+  const Step& at = all[step];
   const bool is_last = at.phase == Phase::all;
   const int number = is_last ? sums_in_space::kKinds : static_cast<int>(at.kind);
   return {number + 1, kPhases[static_cast<std::size_t>(at.phase)], is_last};
@@ -93,12 +92,12 @@ double FacesTrace::answer(std::string_view name) const {
 Json FacesTrace::json(const Lesson& lesson, const PositionedRun&) const {
   Json out = {{"steps", Json::array()}};
   for (int i = 0; i < steps(); ++i) {
-    const Step& at = all[static_cast<std::size_t>(i)];
+    const Step& at = all[i];
     Json step = {{"phase", info(i).phase}, {"iteration", info(i).iteration}};
     if (at.phase != Phase::all) step["kind"] = kAnswers[static_cast<std::size_t>(at.kind) + 1];
     if (at.phase == Phase::kind) step["count"] = count(at.kind);
     if (at.face >= 0) {
-      const sums_in_space::Face& face = faces[static_cast<std::size_t>(at.face)];
+      const sums_in_space::Face& face = faces[at.face];
       step["y"] = part_name(lesson.y(), face.y);
       step["x"] = part_name(lesson.x(), face.x);
       step["normal"] = fields::point(face.normal);
@@ -113,7 +112,7 @@ Json FacesTrace::json(const Lesson& lesson, const PositionedRun&) const {
 
 std::string part_name(const LessonShape& shape, const std::vector<int>& vertices) {
   std::string names;
-  for (const int vertex : vertices) names += shape.vertex_names[static_cast<std::size_t>(vertex)];
+  for (const int vertex : vertices) names += shape.vertex_names[vertex];
   return fmt::format("{} {} of {}",
                      vertices.size() == 1   ? "vertex"
                      : vertices.size() == 2 ? "edge"

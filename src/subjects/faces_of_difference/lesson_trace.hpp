@@ -38,7 +38,7 @@ class FacesTrace final : public AlgorithmTrace {
 [[nodiscard]] std::string part_name(const LessonShape& shape, const std::vector<int>& vertices);
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const FacesTrace& faces_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const FacesTrace& faces_trace(const AlgorithmTrace& trace) {
   return static_cast<const FacesTrace&>(trace);
 }
 

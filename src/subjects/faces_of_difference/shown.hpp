@@ -20,11 +20,10 @@ inline constexpr AskInfo kAskMover{"face-vertex", "which vertex the marked face 
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(faces_told(run.algorithm_trace(frame))),
+        told(faces_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         asks(frame.question >= 0),
-        asks_source(asks && lesson.questions[static_cast<std::size_t>(frame.question)].ask ==
-                                kAskSource.name),
+        asks_source(asks && run.asked(frame).ask == kAskSource.name),
         is_answer(frame.step >= told.steps()),
         step(asks ? frame.answering_step : std::min(frame.step, told.steps() - 1)) {}
 
@@ -38,8 +37,7 @@ struct Shown {
 
   /// The difference of two vertices.
   [[nodiscard]] Eigen::Vector3d z(gjk::VertexPair pair) const {
-    return bodies[1].world[static_cast<std::size_t>(pair.y)] -
-           bodies[0].world[static_cast<std::size_t>(pair.x)];
+    return bodies[1].world[pair.y] - bodies[0].world[pair.x];
   }
   /// Corners of a face of Z.
   [[nodiscard]] std::vector<gjk::VertexPair> corners(const sums_in_space::Face& face) const {
@@ -47,12 +45,10 @@ struct Shown {
   }
 
   // For a frame with a step
-  [[nodiscard]] const FacesTrace::Step& at() const {
-    return told.all[static_cast<std::size_t>(step)];
-  }
+  [[nodiscard]] const FacesTrace::Step& at() const { return told.all[step]; }
   /// The face that it is about; null where it is about many.
   [[nodiscard]] const sums_in_space::Face* face() const {
-    return at().face < 0 ? nullptr : &told.faces[static_cast<std::size_t>(at().face)];
+    return at().face < 0 ? nullptr : &told.faces[at().face];
   }
   [[nodiscard]] std::string of_y(const sums_in_space::Face& face) const {
     return part_name(lesson.y(), face.y);

@@ -175,9 +175,8 @@ void question(const Story& story, FrameText& text) {
   const LessonShape& other = of_y ? shown.lesson.x() : shown.lesson.y();
   const Polyhedron& hull = shown.told.hulls[of_y ? 0 : 1];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskMover.name), {}, {}});
-  for (const int vertex : hull.vertices)
-    asked.choices.push_back(other.vertex_names[static_cast<std::size_t>(vertex)]);
-  asked.answer = other.vertex_names[static_cast<std::size_t>(of_y ? face.x[0] : face.y[0])];
+  for (const int vertex : hull.vertices) asked.choices.push_back(other.vertex_names[vertex]);
+  asked.answer = other.vertex_names[of_y ? face.x[0] : face.y[0]];
   text.caption =
       of_y ? fmt::format(
                  "Question: {} makes the marked face. Which vertex of {} is subtracted from it?",

@@ -15,7 +15,7 @@ using Phase = RegionsTrace::Phase;
 constexpr int kMostVertices = 24;
 
 void frames(LessonRun& run, int index) {
-  const int steps = run.algorithm_traces[static_cast<std::size_t>(index)]->steps();
+  const int steps = run.algorithm_traces[index]->steps();
   // Along a path the start is that of the first position.
   for (int i = index == 0 || steps == 0 ? -1 : 0; i < steps; ++i)
     run.frames.push_back({.run = index, .step = i});
@@ -53,7 +53,7 @@ std::string group(const LessonRun& run, const Frame& frame) {
 }
 
 std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const std::string at = group(run, frame);
   return asks_later(run, index) ? at
                                 : fmt::format("{} · {} of {}", at, index + 1, run.frames.size());

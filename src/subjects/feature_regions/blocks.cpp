@@ -32,8 +32,7 @@ void region_planes(PanelBuilder& panel) {
     constexpr std::array<const char*, kKinds> kNames = {"of faces", "of edges", "of vertices"};
     for (int i = 0; i < kKinds; ++i) {
       const bool is_told = shown.is(Phase::all) || i <= static_cast<int>(at.kind);
-      panel.row(kNames[static_cast<std::size_t>(i)],
-                is_told ? std::to_string(shown.told.count(static_cast<Kind>(i))) : "");
+      panel.row(kNames[i], is_told ? std::to_string(shown.told.count(static_cast<Kind>(i))) : "");
     }
     if (shown.is(Phase::all)) panel.row("in all", std::to_string(shown.told.features[1].size()));
   }

@@ -39,7 +39,7 @@ SolidPart region_of(const Feature& feature, const std::vector<Feature>& of_body,
 std::vector<Point> corners_of(const SceneBuilder& scene, std::size_t body, const Feature& feature) {
   std::vector<Point> out;
   for (const int vertex : feature.vertices)
-    out.push_back(scene.at(scene.positioned.bodies[body].world[static_cast<std::size_t>(vertex)]));
+    out.push_back(scene.at(scene.positioned.bodies[body].world[vertex]));
   return out;
 }
 
@@ -47,7 +47,7 @@ namespace {
 
 std::string hidden_of(const SceneBuilder& scene, std::size_t body, const Feature& feature) {
   const std::vector<Vector3d>& world = scene.positioned.bodies[body].world;
-  const auto vertex = [&](int index) { return world[static_cast<std::size_t>(index)]; };
+  const auto vertex = [&](int index) { return world[index]; };
   const SolidBody solid{scene.effects.get<ShapeSolids>(scene.frame)[body], world};
   const bool is_hidden = feature.kind() == Kind::face
                              ? scene.map.towards_eye(feature.outwards) <= 0.0

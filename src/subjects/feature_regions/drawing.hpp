@@ -29,8 +29,8 @@ void draw_neighbour(SceneBuilder& scene, std::size_t body, const Feature& featur
 void draw_pair(SceneBuilder& scene, const std::array<Eigen::Vector3d, 2>& points,
                const std::string& role, const std::array<std::string, 2>& names);
 
-/// The plane of a border, from a point of the feature to below or above a point that is beyond it,
-/// but no larger than `most`.
+/// Draws the plane of a border between `from`, a point of the feature, and the foot of the
+/// perpendicular from `point`, which lies beyond the border; at most `most` in size.
 void draw_refuting_plane(SceneBuilder& scene, const Border& border, const Eigen::Vector3d& from,
                          const Eigen::Vector3d& point,
                          double most = std::numeric_limits<double>::infinity());

@@ -26,11 +26,12 @@ std::vector<Feature> features_of(const Polyhedron& hull, std::span<const Vector3
   for (const Polyhedron::Edge& edge : hull.edges) out.push_back({{edge.from, edge.to}});
   std::vector<int> feature_at(points.size(), -1);
   for (const int vertex : hull.vertices) {
-    feature_at[static_cast<std::size_t>(vertex)] = static_cast<int>(out.size());
+    feature_at[vertex] = static_cast<int>(out.size());
     out.push_back({{vertex}});
   }
-  const auto at = [&](int i) -> Feature& { return out[static_cast<std::size_t>(i)]; };
-  // Both sides of the plane through a point: from `a` it looks to `b`.
+  const auto at = [&](int i) -> Feature& { return out[i]; };
+  // Adds the plane through a point to two features that it separates; `towards_b` leads from a to
+  // b.
   const auto border = [&](int a, int b, const Vector3d& through, const Vector3d& towards_b) {
     const double offset = gjk::dot(towards_b, through);
     at(b).borders.push_back({{towards_b, offset}, a});
@@ -39,15 +40,15 @@ std::vector<Feature> features_of(const Polyhedron& hull, std::span<const Vector3
   for (std::size_t k = 0; k < hull.edges.size(); ++k) {
     const Polyhedron::Edge& ends = hull.edges[k];
     const int edge = first_edge + static_cast<int>(k);
-    const Vector3d& from = points[static_cast<std::size_t>(ends.from)];
-    const Vector3d& to = points[static_cast<std::size_t>(ends.to)];
+    const Vector3d& from = points[ends.from];
+    const Vector3d& to = points[ends.to];
     const Vector3d along = unit(to - from);
-    const Vector3d& left = hull.faces[static_cast<std::size_t>(ends.left)].normal;
-    const Vector3d& right = hull.faces[static_cast<std::size_t>(ends.right)].normal;
+    const Vector3d& left = hull.faces[ends.left].normal;
+    const Vector3d& right = hull.faces[ends.right].normal;
     border(ends.left, edge, from, along.cross(left));
     border(ends.right, edge, from, right.cross(along));
-    const int start = feature_at[static_cast<std::size_t>(ends.from)];
-    const int end = feature_at[static_cast<std::size_t>(ends.to)];
+    const int start = feature_at[ends.from];
+    const int end = feature_at[ends.to];
     border(start, edge, from, along);
     border(end, edge, to, -along);
     for (const int feature : {edge, start, end}) at(feature).outwards += left + right;
@@ -56,8 +57,7 @@ std::vector<Feature> features_of(const Polyhedron& hull, std::span<const Vector3
     at(i).outwards = unit(at(i).outwards);
     if (i >= first_edge) continue;
     const Vector3d& normal = at(i).outwards;
-    at(i).borders.push_back(
-        {{normal, gjk::dot(normal, points[static_cast<std::size_t>(at(i).vertices[0])])}});
+    at(i).borders.push_back({{normal, gjk::dot(normal, points[at(i).vertices[0]])}});
   }
   return out;
 }
@@ -65,8 +65,7 @@ std::vector<Feature> features_of(const Polyhedron& hull, std::span<const Vector3
 std::string name_of(const Feature& feature, const LessonShape& shape) {
   constexpr std::array<std::string_view, kKinds> kNames = {"face ", "edge ", "vertex "};
   std::string out(kNames[static_cast<std::size_t>(feature.kind())]);
-  for (const int vertex : feature.vertices)
-    out += shape.vertex_names[static_cast<std::size_t>(vertex)];
+  for (const int vertex : feature.vertices) out += shape.vertex_names[vertex];
   return out;
 }
 

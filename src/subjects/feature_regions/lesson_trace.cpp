@@ -59,15 +59,14 @@ void tell_pairs(RegionsTrace& told, const Lesson& lesson, const PositionedRun& r
     });
     if (at == features.end()) at = features.end() - 1;
     first.features[body] = static_cast<int>(at - features.begin());
-    first.points[body] = run.bodies[body].world[static_cast<std::size_t>(at->vertices[0])];
+    first.points[body] = run.bodies[body].world[at->vertices[0]];
   }
   told.pairs.insert(told.pairs.begin(), first);
   const Vector3d way = unit(first.points[1] - first.points[0]);
   for (const std::size_t body : {0, 1}) {
     for (const Feature& feature : told.features[body]) {
       if (feature.kind() != Kind::vertex) continue;
-      const Vector3d& vertex =
-          run.bodies[body].world[static_cast<std::size_t>(feature.vertices[0])];
+      const Vector3d& vertex = run.bodies[body].world[feature.vertices[0]];
       const double depth = gjk::dot(way, Vector3d(vertex - first.points[body]));
       // More than rounding.
       if ((body == 0 ? depth : -depth) > 0x1p-46 * (vertex.norm() + first.points[body].norm()))
@@ -118,7 +117,7 @@ std::shared_ptr<const AlgorithmTrace> find_regions(const Lesson& lesson, const P
 }  // namespace
 
 StepInfo RegionsTrace::info(int step) const {
-  const Step& at = all[static_cast<std::size_t>(step)];
+  const Step& at = all[step];
   const bool has_kind = at.phase == Phase::one || at.phase == Phase::kind;
   const int number = has_kind                   ? static_cast<int>(at.kind) + 1
                      : at.phase == Phase::all   ? cells::kKinds + 1
@@ -140,7 +139,7 @@ double RegionsTrace::answer(std::string_view name) const {
 Json RegionsTrace::json(const Lesson& lesson, const PositionedRun&) const {
   Json out = {{"steps", Json::array()}};
   for (int i = 0; i < steps(); ++i) {
-    const Step& at = all[static_cast<std::size_t>(i)];
+    const Step& at = all[i];
     Json step = {{"phase", info(i).phase}, {"iteration", info(i).iteration}};
     if (at.phase == Phase::kind) step["count"] = count(at.kind);
     const bool has_point = at.phase == Phase::query || at.phase == Phase::region;
@@ -153,8 +152,7 @@ Json RegionsTrace::json(const Lesson& lesson, const PositionedRun&) const {
         step["borders"].push_back(std::move(plane));
       }
     }
-    if (at.phase == Phase::slab)
-      step["width"] = fields::number(pairs[static_cast<std::size_t>(at.pair)].distance());
+    if (at.phase == Phase::slab) step["width"] = fields::number(pairs[at.pair].distance());
     out["steps"].push_back(std::move(step));
   }
   for (const std::string_view each : kAnswers)
@@ -165,7 +163,7 @@ Json RegionsTrace::json(const Lesson& lesson, const PositionedRun&) const {
 std::string RegionsTrace::name(const Lesson& lesson, std::size_t body, int feature) const {
   const LessonShape& shape = lesson.bodies[body];
   if (feature < 0) return shape.name;
-  const std::string out = cells::name_of(features[body][static_cast<std::size_t>(feature)], shape);
+  const std::string out = cells::name_of(features[body][feature], shape);
   return lesson.x().vertices.size() == 1 ? out : fmt::format("{} of {}", out, shape.name);
 }
 

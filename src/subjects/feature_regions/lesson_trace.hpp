@@ -4,10 +4,9 @@
 // region of the other's feature (Larsen 1998, "Local Verification").
 
 #include <array>
-#include <cmath>
 
-#include "gjk/vector.hpp"
 #include "lesson/algorithm.hpp"
+#include "outlines/polyhedron.hpp"
 #include "run/run.hpp"
 #include "subjects/feature_regions/features.hpp"
 
@@ -20,7 +19,7 @@ class RegionsTrace final : public AlgorithmTrace {
   enum class Phase : std::uint8_t { one, kind, all, query, region, plane, slab, pair };
   struct Step {
     Phase phase = Phase::all;
-    int pair = 0;           ///< That it is about; in a point query Q and its closest point.
+    int pair = 0;           ///< Index of the pair; in a point query it is Q and its closest point.
     std::size_t body = 1;   ///< The one that has the feature.
     cells::Kind kind = {};  ///< For `one` and `kind`.
     int feature = -1;       ///< For `one`.
@@ -29,10 +28,7 @@ class RegionsTrace final : public AlgorithmTrace {
   struct Pair {
     std::array<Eigen::Vector3d, 2> points;
     std::array<int, 2> features = {-1, -1};
-    [[nodiscard]] double distance() const {
-      const Eigen::Vector3d way = points[1] - points[0];
-      return std::sqrt(gjk::dot(way, way));
-    }
+    [[nodiscard]] double distance() const { return length(points[1] - points[0]); }
   };
   [[nodiscard]] int steps() const override { return static_cast<int>(all.size()); }
   [[nodiscard]] StepInfo info(int step) const override;
@@ -44,20 +40,20 @@ class RegionsTrace final : public AlgorithmTrace {
   [[nodiscard]] std::string name(const Lesson& lesson, std::size_t body, int feature) const;
   /// The feature that a step is about; -1: the query point lies in the body.
   [[nodiscard]] int feature(const Step& step) const {
-    const Pair& pair = pairs[static_cast<std::size_t>(step.pair)];
+    const Pair& pair = pairs[step.pair];
     return step.feature < 0 ? pair.features[step.body] : step.feature;
   }
   [[nodiscard]] const std::vector<cells::Border>& borders(const Step& step) const {
-    return features[step.body][static_cast<std::size_t>(feature(step))].borders;
+    return features[step.body][feature(step)].borders;
   }
   /// The point that its region is asked about.
   [[nodiscard]] const Eigen::Vector3d& point(const Step& step) const {
-    return pairs[static_cast<std::size_t>(step.pair)].points[1 - step.body];
+    return pairs[step.pair].points[1 - step.body];
   }
 
   /// The border that this point lies farthest beyond, or least inside of.
   [[nodiscard]] const cells::Border& border(const Step& step) const {
-    return features[step.body][static_cast<std::size_t>(feature(step))].tightest(point(step));
+    return features[step.body][feature(step)].tightest(point(step));
   }
 
   std::array<std::vector<cells::Feature>, 2> features;  ///< Those of X and Y.
@@ -68,7 +64,7 @@ class RegionsTrace final : public AlgorithmTrace {
 };
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const RegionsTrace& regions_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const RegionsTrace& regions_trace(const AlgorithmTrace& trace) {
   return static_cast<const RegionsTrace&>(trace);
 }
 

@@ -19,7 +19,7 @@ inline constexpr AskInfo kAskRefuting{"refuting-plane",
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(regions_told(run.algorithm_trace(frame))),
+        told(regions_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         is_query(run.point_query()),
         asks(frame.question >= 0),
@@ -35,9 +35,7 @@ struct Shown {
   int step;  ///< -1: the start, or there are no regions.
 
   // For a frame with a step
-  [[nodiscard]] const RegionsTrace::Step& at() const {
-    return told.all[static_cast<std::size_t>(step)];
-  }
+  [[nodiscard]] const RegionsTrace::Step& at() const { return told.all[step]; }
   [[nodiscard]] bool is(RegionsTrace::Phase phase) const {
     return step >= 0 && at().phase == phase;
   }
@@ -46,16 +44,14 @@ struct Shown {
   }
   /// The feature that the step is about; -1: none.
   [[nodiscard]] int feature_index() const { return told.feature(at()); }
-  [[nodiscard]] const Feature& feature(int index) const {
-    return told.features[at().body][static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] const Feature& feature(int index) const { return told.features[at().body][index]; }
   [[nodiscard]] std::string name(int feature) const {
     return told.name(lesson, at().body, feature);
   }
   /// The region holds the point that it is asked about.
   [[nodiscard]] bool holds() const { return !(told.border(at()).depth(told.point(at())) < 0.0); }
   [[nodiscard]] const Eigen::Vector3d& vertex(std::size_t body, int index) const {
-    return bodies[body].world[static_cast<std::size_t>(index)];
+    return bodies[body].world[index];
   }
 };
 

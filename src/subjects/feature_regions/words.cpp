@@ -146,7 +146,7 @@ void words(const Story& story, FrameText& text) {
   if (!told.reaches.empty()) {
     std::vector<std::string> names;
     for (const auto& [body, vertex] : told.reaches)
-      names.push_back(shown.lesson.bodies[body].vertex_names[static_cast<std::size_t>(vertex)]);
+      names.push_back(shown.lesson.bodies[body].vertex_names[vertex]);
     values["inside"] = and_list(names) + (names.size() == 1 ? " reaches" : " reach");
   }
   const auto& [caption, detail] = words_of(shown);

@@ -10,7 +10,7 @@ namespace gjkscope::costs {
 namespace {
 
 std::string position(const LessonRun& run, int index) {
-  const Shown shown(run, run.frames[static_cast<std::size_t>(index)]);
+  const Shown shown(run, run.frames[index]);
   const std::string what = shown.is(GrowthPhase::size)
                                ? fmt::format("n = {}", grouped(shown.sample().segments))
                            : shown.is(GrowthPhase::time)  ? "times"

@@ -42,7 +42,7 @@ PlotSeries series(const Shown& shown, PlotStyle style, std::string name, double 
   PlotSeries out{style, std::move(name), {}};
   const int known = std::clamp(shown.over, 1, shown.sizes());
   for (int i = 0; i < known; ++i) {
-    const Sample& sample = shown.told.samples[static_cast<std::size_t>(i)];
+    const Sample& sample = shown.told.samples[i];
     if (sample.*counted >= 0.0) out.points.emplace_back(sample.segments, sample.*counted);
   }
   return out;
@@ -122,11 +122,8 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
   const Shown& shown = shown_in<Shown>(scene);
   if (scene.view.kind == ViewKind::plot) {
     Plot plot = shown.plots_times() ? times_plot(shown) : visits_plot(shown);
-    const int question = scene.frame.question;
-    add_choices(
-        plot, scene.run.lesson, shown,
-        question >= 0 &&
-            scene.run.lesson.questions[static_cast<std::size_t>(question)].ask == kAskVisits.name);
+    add_choices(plot, scene.run.lesson, shown,
+                scene.frame.question >= 0 && scene.run.asked(scene.frame).ask == kAskVisits.name);
     layers::add_plot(scene, plot, fonts);
   } else {
     example(scene, shown);

@@ -1,6 +1,6 @@
 #pragma once
 // The cost of methods for general models, as steps: one for each size of [growth], one for the
-// times if the lesson has some, then one for each thing that Larsen says of them.
+// times if the lesson has some, then one for each of Larsen's claims about them.
 
 #include "lesson/algorithm.hpp"
 #include "lesson/lesson.hpp"
@@ -38,7 +38,7 @@ class GeneralGrowthTrace final : public AlgorithmTrace {
 };
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const GeneralGrowthTrace& general_growth_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const GeneralGrowthTrace& general_growth_trace(const AlgorithmTrace& trace) {
   return static_cast<const GeneralGrowthTrace&>(trace);
 }
 

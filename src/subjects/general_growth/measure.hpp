@@ -53,9 +53,7 @@ namespace detail {
       const double at = 1.0 * i * bays / segments;
       const int left = static_cast<int>(at);
       const double share = at - left;
-      out[static_cast<std::size_t>(i)] -=
-          (1.0 - share) * bay[static_cast<std::size_t>(left)] +
-          share * bay[static_cast<std::size_t>(left + 1 == bays ? 0 : left + 1)];
+      out[i] -= (1.0 - share) * bay[left] + share * bay[left + 1 == bays ? 0 : left + 1];
     }
   }
   return out;
@@ -71,7 +69,7 @@ namespace detail {
     const double t = 4.0 * i / segments - quarter;
     Point way = Point(1.0 - t * t, 2.0 * t) / (1.0 + t * t);
     for (int k = 0; k < quarter; ++k) way = Point(-way.y(), way.x());
-    out.points.push_back(centre + radius[static_cast<std::size_t>(i)] * way);
+    out.points.push_back(centre + radius[i] * way);
   }
   return out;
 }

@@ -27,7 +27,7 @@ struct Growing {
 /// The subject of a frame: a size, the times of all sizes, or something that Larsen says.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
-      : told(general_growth_told(run.algorithm_trace(frame))), over(frame.step + 1) {}
+      : told(general_growth_trace(run.algorithm_trace(frame))), over(frame.step + 1) {}
 
   const GeneralGrowthTrace& told;
   int over = 0;  ///< Steps.

@@ -146,7 +146,7 @@ void words(const Story& story, FrameText& text) {
 void question(const Story& story, FrameText& text) {
   const Shown before(story.run, story.frame);
   FrameQuestion& asked = text.question.emplace();
-  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  asked.ask = story.run.asked(story.frame).ask;
   const auto answer = static_cast<std::size_t>(story.frame.answering_step);
   if (asked.ask == kAskVisits.name) {
     const Sample& sample = before.told.samples[answer];

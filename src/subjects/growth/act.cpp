@@ -13,13 +13,13 @@ namespace gjkscope::acts {
 namespace {
 
 bool is_support_or_end(const LessonRun& run, int index, int step) {
-  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  const WideTrace& trace = run.runs[index].trace;
   return trace.steps[step].phase == gjk::Phase::support || step == last_step(run.lesson, trace);
 }
 
 void growth_frames(LessonRun& run, int index) {
   add_step_frames(run, index, is_support_or_end);
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   if (last < 0) return;
   const int sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
   for (int i = 0; i <= sizes; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
@@ -33,7 +33,7 @@ const int* vertices_of(const LessonRun& run, const Frame& frame) {
 }
 
 std::string growth_position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   if (!shown_size(run, frame)) return position_in_run(run, index);
   const int* vertices = vertices_of(run, frame);
   return fmt::format("{} · {} of {}",
@@ -72,8 +72,8 @@ void growth_values(const Story& story, FrameText& text) {
   put("y", story.run.lesson.y().name);
   const int* vertices = vertices_of(story.run, story.frame);
   if (vertices == nullptr) return;
-  const Growth::Sample& sample = story.effects.get<Growth>(
-      story.frame)[static_cast<std::size_t>(*shown_size(story.run, story.frame))];
+  const Growth::Sample& sample =
+      story.effects.get<Growth>(story.frame)[*shown_size(story.run, story.frame)];
   put("n", grouped(*vertices));
   put("iterations", fixed(sample.iterations, 1));
   put("support calls", fixed(sample.support_calls, 1));

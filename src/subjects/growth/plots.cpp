@@ -23,8 +23,7 @@ Plot against_vertices(const LessonRun& run, const Frame& frame) {
   Plot plot;
   plot.x = {1.0, power_of_ten_from(sizes.back()), true, "vertices n of each polygon"};
   const int size = shown_size(run, frame).value_or(-1);
-  if (size >= 0 && size < static_cast<int>(sizes.size()))
-    plot.current = sizes[static_cast<std::size_t>(size)];
+  if (size >= 0 && size < static_cast<int>(sizes.size())) plot.current = sizes[size];
   return plot;
 }
 

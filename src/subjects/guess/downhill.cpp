@@ -58,7 +58,7 @@ std::vector<Stop> walk(const std::vector<Vector2d>& outline, const Vector2d& sta
     }
     Stop best{at};
     for (int i = 0; i < static_cast<int>(outline.size()); ++i) {
-      const Vector2d& a = outline[static_cast<std::size_t>(i)];
+      const Vector2d& a = outline[i];
       const Vector2d& b = outline[static_cast<std::size_t>(i + 1) % outline.size()];
       if (segment_distance(at, a, b) > kStep) continue;
       const Vector2d down = closest_on_segment(q, a, b);
@@ -85,15 +85,14 @@ Walks walks_of(const LessonRun& run, const Frame& frame) {
   const PositionedRun& positioned = run.run(frame);
   out.q = in_plane(positioned.x().world.front());
   out.outline = in_plane(positioned.y().world);
-  for (const int i : convex_hull(out.outline))
-    out.hull.push_back(out.outline[static_cast<std::size_t>(i)]);
+  for (const int i : convex_hull(out.outline)) out.hull.push_back(out.outline[i]);
   out.on_outline = walk(out.outline, out.outline.front(), out.q);
   out.on_hull = walk(out.hull, out.outline.front(), out.q);
   const int count = static_cast<int>(out.outline.size());
   double least = (out.outline[0] - out.q).norm();
   out.closest = out.outline[0];
   for (int i = 0; i < count; ++i) {
-    const Vector2d& a = out.outline[static_cast<std::size_t>(i)];
+    const Vector2d& a = out.outline[i];
     const Vector2d& b = out.outline[static_cast<std::size_t>(i + 1) % out.outline.size()];
     const Vector2d at = closest_on_segment(out.q, a, b);
     if ((at - out.q).norm() > least) continue;
@@ -152,13 +151,11 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
 
 std::string edge_name(const LessonRun& run, int edge) {
   const std::vector<std::string>& names = run.lesson.y().vertex_names;
-  return names[static_cast<std::size_t>(edge)] +
-         names[static_cast<std::size_t>(edge + 1) % names.size()];
+  return names[edge] + names[static_cast<std::size_t>(edge + 1) % names.size()];
 }
 
 void question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   const LessonShape& y = story.run.lesson.y();
   const Shown shown(story.run, story.frame);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
@@ -177,7 +174,7 @@ void question(const Story& story, FrameText& text) {
   const int count = static_cast<int>(y.vertex_names.size());
   asked.choices = y.vertex_names;
   for (int i = 0; i < count; ++i) asked.choices.push_back(edge_name(story.run, i));
-  asked.answer = asked.choices[static_cast<std::size_t>(shown.value.feature)];
+  asked.answer = asked.choices[shown.value.feature];
   asked.place = shown.value.closest;
   text.caption = fmt::format(
       "Question: the walk has stopped. Which point of {} is closest to {}? Point at it.", y.name,
@@ -192,7 +189,7 @@ void words(const Story& story, FrameText& text) {
   const std::vector<Stop>& stops = on_hull ? value.on_hull : value.on_outline;
   const int stop = on_hull ? shown.hull_stop : shown.stop;
   const auto away = [&](const Vector2d& at) { return story.numbers((at - value.q).norm()); };
-  const std::string now = away(stops[static_cast<std::size_t>(stop)].at);
+  const std::string now = away(stops[stop].at);
   if (shown.tells && !on_hull) {
     text.caption = fmt::format("The closest point is only {} from {}. The walk is stuck at {}.",
                                away(value.closest), story.q, away(value.on_outline.back().at));
@@ -212,7 +209,7 @@ void words(const Story& story, FrameText& text) {
     return;
   }
   const std::string was = away(stops[static_cast<std::size_t>(stop) - 1].at);
-  const int edge = stops[static_cast<std::size_t>(stop)].edge;
+  const int edge = stops[stop].edge;
   const bool ends = stop + 1 == static_cast<int>(stops.size());
   if (on_hull && ends) {
     text.caption =
@@ -254,7 +251,7 @@ void stage(SceneBuilder& scene) {
     const auto from = static_cast<std::size_t>(i);
     scene.arrow("guess.walk", scene.at(stops[from].at), scene.at(stops[from + 1].at));
   }
-  const Vector2d& at = stops[static_cast<std::size_t>(last)].at;
+  const Vector2d& at = stops[last].at;
   guesses::measured_line(scene, "closest.line", "way", at, value.q);
   scene.disk("path.now", scene.at(at), kSimplexRadius);
   if (!shown.tells || on_hull) return;

@@ -22,7 +22,7 @@ void measured_line(SceneBuilder& scene, const std::string& role, const std::stri
 }
 
 void add_part_frames(LessonRun& run, int index, int count) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   for (int i = 0; i < count; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
 }
 

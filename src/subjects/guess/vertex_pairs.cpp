@@ -70,8 +70,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
 }
 
 void question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   if (ask != kAskPair.name) return captions::closest_question(story, text);
   const Lesson& lesson = story.run.lesson;
   const NearestTwo two =

@@ -13,7 +13,7 @@ using models::SearchStep;
 
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : lesson(run.lesson),
-      search(*search_told(run, frame.run)),
+      search(*search_trace(run, frame.run)),
       over(frame.step + 1),
       step(last_step_over(search.trace.steps, frame)),
       state(step == nullptr ? search.trace.start : step->after),
@@ -31,11 +31,11 @@ std::vector<NodeState> Shown::node_states(bool of_x) const {
   const std::vector<TreeNode>& tree = search.tree(of_x);
   std::vector<NodeState> states(tree.size(), NodeState::off);
   const auto state_of = [&](const models::NodePair& pair) -> NodeState& {
-    return states[static_cast<std::size_t>(of_x ? pair.a : pair.b)];
+    return states[of_x ? pair.a : pair.b];
   };
   const int steps = std::min(over, static_cast<int>(search.trace.steps.size()));
   for (int i = 0; i < steps; ++i) {
-    const SearchStep& each = search.trace.steps[static_cast<std::size_t>(i)];
+    const SearchStep& each = search.trace.steps[i];
     if (each.phase != SearchPhase::bound) continue;
     NodeState& mark = state_of(each.after.pair);
     if (mark != NodeState::visited) mark = each.record.cut ? NodeState::cut : NodeState::visited;
@@ -47,8 +47,7 @@ std::vector<NodeState> Shown::node_states(bool of_x) const {
   if (is_open) state_of(state.pair) = NodeState::waiting;
   std::vector<bool> is_reachable(tree.size());
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    const bool below =
-        tree[i].parent >= 0 && is_reachable[static_cast<std::size_t>(tree[i].parent)];
+    const bool below = tree[i].parent >= 0 && is_reachable[tree[i].parent];
     is_reachable[i] = below || states[i] == NodeState::waiting;
     if (below && states[i] == NodeState::off) states[i] = NodeState::ahead;
   }
@@ -63,8 +62,8 @@ std::optional<Halves> Shown::halves() const {
   const auto& [first, second] = made.record.children;
   Halves out{!made.record.takes_b_apart, first, second};
   const std::vector<TreeNode>& tree = search.tree(out.of_x);
-  const int whole = tree[static_cast<std::size_t>(out.node(true))].parent;
-  out.is_left_first = tree[static_cast<std::size_t>(whole)].left == out.node(true);
+  const int whole = tree[out.node(true)].parent;
+  out.is_left_first = tree[whole].left == out.node(true);
   if (!out.is_left_first) std::swap(out.left, out.right);
   return out;
 }
@@ -100,13 +99,13 @@ bool is_introduced(const Lesson& lesson, long visit) {
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
   const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
-  const models::SearchTrace& trace = search_told(run, index)->trace;
+  const models::SearchTrace& trace = search_trace(run, index)->trace;
   add(0);
   if (trace.steps.empty()) return;
   const long visits = trace.result.visits;
   const bool is_long = visits > kMostVisits;
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
-    const SearchStep& step = trace.steps[static_cast<std::size_t>(i)];
+    const SearchStep& step = trace.steps[i];
     const long visit = step.after.visits;
     const bool begins_visit =
         step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
@@ -123,12 +122,12 @@ void add_frames(LessonRun& run, int index) {
 bool can_ask_about(const Shown& shown, const Halves& halves) {
   constexpr double kSeen = 0.05;  // of the larger distance
   const std::vector<int> depths = depths_of(shown.search.tree(halves.of_x));
-  if (depths[static_cast<std::size_t>(halves.node(true))] > kMostDepth) return false;
+  if (depths[halves.node(true)] > kMostDepth) return false;
   const auto [near, far] = std::minmax(halves.left.bound, halves.right.bound);
   return !shown.is_distance() || far - near > kSeen * far;
 }
 
-/// Two leaves have nothing below them to be cut.
+/// Pairs of two leaves are not asked about: they have no children that could be cut.
 int answering_step(const LessonRun& run, const Frame& before, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, before);
@@ -150,14 +149,14 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
   }
   if (shown.is_answer || !shown.is(SearchPhase::visit)) return -1;
   if (question.at && *question.at != shown.state.visits) return -1;
-  const SearchStep& bound = shown.search.trace.steps[static_cast<std::size_t>(shown.over)];
+  const SearchStep& bound = shown.search.trace.steps[shown.over];
   const bool is_open =
       shown.is_distance() ? shown.state.candidate.has_value() : !shown.are_leaves();
   return is_open && frame.step >= shown.over && bound.phase == SearchPhase::bound ? shown.over : -1;
 }
 
 std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const Shown shown(run, frame);
   const std::string where = run.runs.size() > 1 ? position_on_path(run, index) + " · " : "";
   if (shown.step == nullptr) return where + "start";
@@ -185,49 +184,38 @@ Tick tick(const LessonRun& run, const Frame& frame) {
           .event = at.is_event};
 }
 
-const Act kCollide{
-    .name = "hierarchy-collide",
-    .meaning =
-        "visit of a pair of volumes, in search of segments that meet, and what comes "
-        "of it; then the answer",
-    .needs = {.table = &LessonTrees::kKind,
-              .table_is_optional = true,
-              .why_no_until = "frames show how the search ends"},
-    .add_frames = add_frames,
-    .asks = kCollideAsks,
-    .answering_step = answering_step,
-    .algorithm = &kHierarchyCollide,
-    .position = position,
-    .tick = tick,
-    .words = words,
-    .stage = stage,
-    .question = question,
-    .values = values,
-    .fill = trees,
-    .plot_title = trees_title,
-};
+Act act_of(std::string_view name, std::string_view meaning, std::span<const AskInfo> asks,
+           const Algorithm& algorithm) {
+  return {
+      .name = name,
+      .meaning = meaning,
+      .needs = {.table = &LessonTrees::kKind,
+                .table_is_optional = true,
+                .why_no_until = "frames show how the search ends"},
+      .add_frames = add_frames,
+      .asks = asks,
+      .answering_step = answering_step,
+      .algorithm = &algorithm,
+      .position = position,
+      .tick = tick,
+      .words = words,
+      .stage = stage,
+      .question = question,
+      .values = values,
+      .fill = trees,
+      .plot_title = trees_title,
+  };
+}
 
-const Act kDistance{
-    .name = "hierarchy-distance",
-    .meaning =
-        "visit of a pair of volumes, in search of the closest segments, and what "
-        "comes of it; then the answer",
-    .needs = {.table = &LessonTrees::kKind,
-              .table_is_optional = true,
-              .why_no_until = "frames show how the search ends"},
-    .add_frames = add_frames,
-    .asks = kDistanceAsks,
-    .answering_step = answering_step,
-    .algorithm = &kHierarchyDistance,
-    .position = position,
-    .tick = tick,
-    .words = words,
-    .stage = stage,
-    .question = question,
-    .values = values,
-    .fill = trees,
-    .plot_title = trees_title,
-};
+const Act kCollide = act_of("hierarchy-collide",
+                            "visit of a pair of volumes, in search of segments that meet, and what "
+                            "comes of it; then the answer",
+                            kCollideAsks, kHierarchyCollide);
+const Act kDistance =
+    act_of("hierarchy-distance",
+           "visit of a pair of volumes, in search of the closest segments, and what "
+           "comes of it; then the answer",
+           kDistanceAsks, kHierarchyDistance);
 
 }  // namespace
 }  // namespace gjkscope::searches

@@ -31,15 +31,15 @@ constexpr std::array<PlaceholderInfo, 4> kValues = {
 /// The tiles of a segment: finer tiles would make trees that nobody can look at.
 constexpr int kMostTiles = 64;
 
-class Told : public OutlineTrace {
+class LessonTrace : public OutlineTrace {
  public:
-  Told(std::optional<Refusal> refused, SearchTold search)
+  LessonTrace(std::optional<Refusal> refused, SearchTold search)
       : OutlineTrace(refused), search_(std::move(search)) {}
 
   [[nodiscard]] const SearchTold& search() const { return search_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(search_.trace.steps.size()); }
   [[nodiscard]] StepInfo info(int index) const override {
-    const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
+    const models::SearchStep& step = search_.trace.steps[index];
     return {static_cast<int>(step.after.visits), name_of(step.phase),
             is_candidate(step) || step.after.stop != SearchStop::running};
   }
@@ -56,7 +56,7 @@ class Told : public OutlineTrace {
     return refusal ? std::string_view() : name_of(search_.trace.result.stop);
   }
   [[nodiscard]] Json step_json(const Lesson&, int index) const override {
-    const models::SearchStep& step = search_.trace.steps[static_cast<std::size_t>(index)];
+    const models::SearchStep& step = search_.trace.steps[index];
     const models::SearchState& after = step.after;
     switch (step.phase) {
       case SearchPhase::visit:
@@ -100,7 +100,7 @@ class Told : public OutlineTrace {
     return search_.options.goal == Goal::distance && step.record.better;
   }
   [[nodiscard]] Json node_json(bool of_x, int index) const {
-    const TreeNode& node = search_.tree(of_x)[static_cast<std::size_t>(index)];
+    const TreeNode& node = search_.tree(of_x)[index];
     return {{"node", index}, {"segments", node.count}};
   }
 
@@ -137,13 +137,13 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
   told.x = std::move(outlines.x);
   told.y = std::move(outlines.y);
   told.refusal = refused;
-  if (refused) return std::make_shared<const Told>(refused, std::move(told));
+  if (refused) return std::make_shared<const LessonTrace>(refused, std::move(told));
   told.options.goal = goal;
   // Larsen's listing descends into A first, left child first.
   told.options.nearer_first = goal == Goal::distance;
   told.options.larger_first = goal == Goal::distance;
   if (lesson.warm_start && before != nullptr) {
-    const models::SearchTrace& last = static_cast<const Told&>(*before).search().trace;
+    const models::SearchTrace& last = static_cast<const LessonTrace&>(*before).search().trace;
     if (last.result.segments.first >= 0) told.options.remembered = last.result.segments;
   }
   const LessonTrees trees = trees_of(lesson);
@@ -167,7 +167,7 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
       search(std::type_identity<models::Circle>{}, tiles);
       break;
   }
-  return std::make_shared<const Told>(std::nullopt, std::move(told));
+  return std::make_shared<const LessonTrace>(std::nullopt, std::move(told));
 }
 
 template <Goal goal>
@@ -198,10 +198,10 @@ const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
                                    .takes_outlines = true,
                                    .stops = std::span(kStops).subspan(1)};
 
-const SearchTold* search_told(const LessonRun& run, int index) {
+const SearchTold* search_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kHierarchyCollide && run.act->algorithm != &kHierarchyDistance)
     return nullptr;
-  return &static_cast<const Told&>(*run.algorithm_traces[static_cast<std::size_t>(index)]).search();
+  return &static_cast<const LessonTrace&>(*run.algorithm_traces[index]).search();
 }
 
 }  // namespace gjkscope

@@ -41,7 +41,7 @@ extern const Algorithm kHierarchyCollide;
 extern const Algorithm kHierarchyDistance;
 
 /// The search of run `index`; nullptr where the lesson shows another algorithm.
-[[nodiscard]] const SearchTold* search_told(const LessonRun& run, int index);
+[[nodiscard]] const SearchTold* search_trace(const LessonRun& run, int index);
 
 /// "descend"
 [[nodiscard]] std::string_view name_of(models::SearchPhase phase);

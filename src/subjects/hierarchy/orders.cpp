@@ -40,8 +40,7 @@ std::vector<Visit> visits_of(const models::SearchTrace& trace) {
   }
   for (std::size_t i = visits.size(); i-- > 0;) {
     visits[i].count = std::max(visits[i].count, 1.0);
-    if (visits[i].parent >= 0)
-      visits[static_cast<std::size_t>(visits[i].parent)].count += visits[i].count;
+    if (visits[i].parent >= 0) visits[visits[i].parent].count += visits[i].count;
   }
   std::vector<double> next(visits.size());
   for (std::size_t i = 0; i < visits.size(); ++i) {
@@ -101,9 +100,7 @@ bool asks_for_next(const Lesson& lesson, long visits) {
   });
 }
 bool asks_for_next(const SceneBuilder& scene) {
-  const int question = scene.frame.question;
-  return question >= 0 &&
-         scene.run.lesson.questions[static_cast<std::size_t>(question)].ask == kAskNextPair.name;
+  return scene.frame.question >= 0 && scene.run.asked(scene.frame).ask == kAskNextPair.name;
 }
 Subject subject_of(const models::NodePair& pair) {
   return {Subject::Kind::tree_node, pair.a, pair.b};
@@ -135,7 +132,7 @@ void draw_order(SceneBuilder& scene, const Order& order, bool nearer_first, cons
   };
   for (std::size_t i = 1; i < visits.size(); ++i) {
     if (!is_there(i)) continue;
-    const Visit& parent = visits[static_cast<std::size_t>(visits[i].parent)];
+    const Visit& parent = visits[visits[i].parent];
     scene.out.marks.push_back({"tree.link", Polyline{{place(parent), place(visits[i])}}});
   }
   for (std::size_t i = 0; i < visits.size(); ++i) {
@@ -209,11 +206,11 @@ void candidates(SceneBuilder& scene) {
 void add_order_frames(LessonRun& run, int index) {
   constexpr long kMostFrames = 12;
   const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
-  const models::SearchTrace& trace = search_told(run, index)->trace;
+  const models::SearchTrace& trace = search_trace(run, index)->trace;
   add(0);
   const long stride = 1 + trace.result.visits / kMostFrames;
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
-    const SearchStep& step = trace.steps[static_cast<std::size_t>(i)];
+    const SearchStep& step = trace.steps[i];
     const long visits = step.after.visits;
     const bool is_asked =
         asks_for_next(run.lesson, visits) || asks_for_next(run.lesson, visits - 1);
@@ -239,7 +236,7 @@ int order_answer(const LessonRun& run, const Frame& before, const Frame& frame,
 void order_question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
   FrameQuestion& asked = text.question.emplace();
-  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  asked.ask = story.run.asked(story.frame).ask;
   if (asked.ask == kAskFewer.name) {
     const long nearer = shown.search.trace.result.visits;
     const long left = shown.search.left_first.result.visits;
@@ -260,7 +257,7 @@ void order_question(const Story& story, FrameText& text) {
 }
 
 std::string order_position(const LessonRun& run, int index) {
-  const Shown shown(run, run.frames[static_cast<std::size_t>(index)]);
+  const Shown shown(run, run.frames[index]);
   if (shown.step == nullptr) return "start";
   return shown.is_answer ? "answer" : fmt::format("after {} visits", shown.state.visits);
 }

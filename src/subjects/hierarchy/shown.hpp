@@ -70,7 +70,7 @@ struct Shown {
   [[nodiscard]] bool is_cut() const { return is(models::SearchPhase::bound) && step->record.cut; }
   [[nodiscard]] int node_index(bool of_x) const { return of_x ? state.pair.a : state.pair.b; }
   [[nodiscard]] const TreeNode& node(bool of_x) const {
-    return search.tree(of_x)[static_cast<std::size_t>(node_index(of_x))];
+    return search.tree(of_x)[node_index(of_x)];
   }
   /// Leaves are small circles; several may have the same segment.
   [[nodiscard]] bool has_tiles() const { return trees_of(lesson).volumes == VolumeKind::tiles; }
@@ -78,7 +78,7 @@ struct Shown {
   [[nodiscard]] const std::string& name(bool of_x) const {
     return (of_x ? lesson.x() : lesson.y()).name;
   }
-  /// Those that the last step made, or the visit before this one; nothing elsewhere.
+  /// The halves that the last step made, or the visit before it; nothing for other steps.
   [[nodiscard]] std::optional<Halves> halves() const;
   /// "box", "circle"
   [[nodiscard]] std::string_view volume() const;

@@ -89,7 +89,7 @@ class Stage {
     return out;
   }
   [[nodiscard]] const Volume& volume_of(bool of_x, int node) const {
-    return shown_.search.tree(of_x)[static_cast<std::size_t>(node)].volume;
+    return shown_.search.tree(of_x)[node].volume;
   }
   [[nodiscard]] static Subject subject(bool of_x, int node) {
     return of_x ? Subject{Subject::Kind::tree_node, node}
@@ -109,10 +109,9 @@ class Stage {
       const std::vector<TreeNode>& tree = shown_.search.tree(of_x);
       const std::vector<int> depths = depths_of(tree);
       for (int i = 0; i < static_cast<int>(tree.size()); ++i) {
-        if (depths[static_cast<std::size_t>(i)] > kMostDepth) continue;
-        below_.push_back({"region.hidden",
-                          Polygon{mapped(outline_of(tree[static_cast<std::size_t>(i)].volume))}, -1,
-                          subject(of_x, i)});
+        if (depths[i] > kMostDepth) continue;
+        below_.push_back(
+            {"region.hidden", Polygon{mapped(outline_of(tree[i].volume))}, -1, subject(of_x, i)});
       }
     }
   }
@@ -167,7 +166,7 @@ class Stage {
   [[nodiscard]] Point middle_of(const Halves& halves, bool is_left) const {
     return centroid(mapped(outline_of(volume_of(halves.of_x, halves.node(is_left)))));
   }
-  /// The names of two halves, and how far they are away once that is told.
+  /// The names of two halves, and their distances once frames have shown them.
   void halves(const Halves& halves) {
     for (const bool is_left : {true, false}) {
       const models::NodePair& pair = is_left ? halves.left : halves.right;
@@ -196,7 +195,7 @@ class Stage {
   }
 
   void segment(bool of_x, int index) {
-    const models::Segment& s = shown_.search.model(of_x).segments[static_cast<std::size_t>(index)];
+    const models::Segment& s = shown_.search.model(of_x).segments[index];
     scene_.line("volume.segment", scene_.at(s.a), scene_.at(s.b));
   }
   void segments() {

@@ -156,8 +156,7 @@ class TreePicture {
 
 std::vector<int> depths_of(const std::vector<TreeNode>& tree) {
   std::vector<int> depths(tree.size());
-  for (std::size_t i = 1; i < tree.size(); ++i)
-    depths[i] = depths[static_cast<std::size_t>(tree[i].parent)] + 1;
+  for (std::size_t i = 1; i < tree.size(); ++i) depths[i] = depths[tree[i].parent] + 1;
   return depths;
 }
 

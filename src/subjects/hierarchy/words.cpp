@@ -261,15 +261,12 @@ void ask_about_halves(const Story& story, const Shown& shown, FrameText& text) {
 
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  if (story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask ==
-      kAskHalf.name)
+  if (story.run.asked(story.frame).ask == kAskHalf.name)
     return ask_about_halves(story, shown, text);
-  const models::SearchRecord& record =
-      shown.search.trace.steps[static_cast<std::size_t>(story.frame.answering_step)].record;
+  const models::SearchRecord& record = shown.search.trace.steps[story.frame.answering_step].record;
   const bool is_distance = shown.is_distance();
   FrameQuestion& asked = text.question.emplace();
-  if (story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask ==
-      kAskTable.name) {
+  if (story.run.asked(story.frame).ask == kAskTable.name) {
     asked.ask = kAskTable.name;
     asked.choices = {"measure their segments", "look it up in the table"};
     asked.answer = asked.choices[record.hit ? 1 : 0];

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostSteps = 60;
 
 void frames(LessonRun& run, int index) {
-  const AlgorithmTrace& trace = *run.algorithm_traces[static_cast<std::size_t>(index)];
+  const AlgorithmTrace& trace = *run.algorithm_traces[index];
   const int steps = trace.steps();
   run.frames.push_back({.run = index});
   if (steps == 0) return;
@@ -50,12 +50,12 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
 }
 
 std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const Shown shown(run, frame);
   if (after_of(run, frame)) return fmt::format("outcome · {} of {}", index + 1, run.frames.size());
   if (shown.step < 0) return "start";
   if (shown.is_answer) return fmt::format("answer · {} of {}", index + 1, run.frames.size());
-  const int walk = shown.told.all[static_cast<std::size_t>(shown.step)].climb + 1;
+  const int walk = shown.told.all[shown.step].climb + 1;
   const std::string at = fmt::format("at {}", shown.name(shown.look().at));
   if (run.runs.size() > 1) return fmt::format("{} · {}", position_on_path(run, index), at);
   return asks_later(run, index)
@@ -74,7 +74,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
             .label = "answer",
             .short_label = "end",
             .event = true};
-  const int walk = shown.told.all[static_cast<std::size_t>(shown.step)].climb + 1;
+  const int walk = shown.told.all[shown.step].climb + 1;
   const bool stops = shown.look().next < 0;
   const std::string& at = shown.name(shown.look().at);
   return {.group = group_of_position(run, frame, fmt::format("walk {}", walk)),

@@ -70,8 +70,7 @@ void climb(PanelBuilder& panel) {
       const Climb& each = told.climbs[i];
       const Body& body = shown.bodies[each.of_x ? 0 : 1];
       const LessonShape& shape = panel.run.lesson.bodies[each.of_x ? 0 : 1];
-      panel.row(fmt::format("walk {} to {}", i + 1,
-                            shape.vertex_names[static_cast<std::size_t>(each.walk.end())]),
+      panel.row(fmt::format("walk {} to {}", i + 1, shape.vertex_names[each.walk.end()]),
                 fmt::format("{} of {}", each.walk.products(), body.world.size()));
       constexpr std::size_t kMost = 8;
       if (i + 1 == kMost) break;

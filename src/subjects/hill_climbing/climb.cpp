@@ -10,7 +10,7 @@ namespace climbing {
 
 int Walk::products() const {
   int count = 1;
-  for (const Look& look : looks) count += static_cast<int>(look.fresh.size());
+  for (const Look& look : looks) count += static_cast<int>(look.new_neighbours.size());
   return count;
 }
 
@@ -30,17 +30,17 @@ int farther(const Vector3d& d, const Vector3d& a, const Vector3d& b) {
 
 Walk walk(std::span<const Vector3d> points, const Neighbours& neighbours, const Vector3d& d,
           int from) {
-  const auto at = [&](int i) -> const Vector3d& { return points[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) -> const Vector3d& { return points[i]; };
   Walk out{d, {}};
   std::vector<bool> met(points.size(), false);
-  met[static_cast<std::size_t>(from)] = true;
+  met[from] = true;
   for (int now = from; now >= 0; now = out.looks.back().next) {
     Look look{now, {}, -1};
     int best = now;
-    for (const int next : neighbours[static_cast<std::size_t>(now)]) {
-      if (met[static_cast<std::size_t>(next)]) continue;
-      met[static_cast<std::size_t>(next)] = true;
-      look.fresh.push_back(next);
+    for (const int next : neighbours[now]) {
+      if (met[next]) continue;
+      met[next] = true;
+      look.new_neighbours.push_back(next);
       if (farther(d, at(best), at(next)) > 0) best = next;
     }
     if (best != now) look.next = best;
@@ -51,7 +51,7 @@ Walk walk(std::span<const Vector3d> points, const Neighbours& neighbours, const 
 
 int start_at(const Neighbours& neighbours, int wanted) {
   const auto is_vertex = [](const std::vector<int>& ends) { return !ends.empty(); };
-  if (is_vertex(neighbours[static_cast<std::size_t>(wanted)])) return wanted;
+  if (is_vertex(neighbours[wanted])) return wanted;
   const auto first = std::find_if(neighbours.begin(), neighbours.end(), is_vertex);
   return first == neighbours.end() ? wanted : static_cast<int>(first - neighbours.begin());
 }

@@ -20,8 +20,9 @@ using Neighbours = std::vector<std::vector<int>>;
 /// One vertex of a walk, and what is computed there.
 struct Look {
   int at = 0;
-  std::vector<int> fresh;  ///< Neighbours that the walk has not met before: one dot product each.
-  int next = -1;           ///< The neighbour that lies farthest, and farther; -1: the walk stops.
+  std::vector<int>
+      new_neighbours;  ///< Neighbours that the walk has not met before: one dot product each.
+  int next = -1;       ///< The neighbour that lies farthest, and farther; -1: the walk stops.
 };
 
 struct Walk {

@@ -20,8 +20,7 @@ bool is_behind(const SceneBuilder& scene, const Shown& shown, int from, int to) 
   });
   if (edge == solid.edges.end() || edge->left < 0) return false;
   const std::vector<bool> front = faces_in_front(scene.map, solid);
-  return !front[static_cast<std::size_t>(edge->left)] &&
-         !front[static_cast<std::size_t>(edge->right)];
+  return !front[edge->left] && !front[edge->right];
 }
 
 /// The plane through a vertex normal to d, and d at its upper end, where it hides no edge.
@@ -41,7 +40,7 @@ void plane(SceneBuilder& scene, const Vector3d& vertex, const Vector3d& d,
 
 void way(SceneBuilder& scene, const Shown& shown, const climbing::Walk& walk, int looks) {
   for (int i = 0; i + 1 < looks; ++i) {
-    const int from = walk.looks[static_cast<std::size_t>(i)].at;
+    const int from = walk.looks[i].at;
     const int to = walk.looks[static_cast<std::size_t>(i) + 1].at;
     scene.add(is_behind(scene, shown, from, to) ? "climb.path.hidden" : "climb.path",
               Polyline{{scene.at(shown.at(from)), scene.at(shown.at(to))}});
@@ -59,8 +58,7 @@ void step(SceneBuilder& scene, const Shown& shown) {
     scene.add(is_behind(scene, shown, look.at, end) ? "climb.edge.hidden" : "climb.edge",
               Polyline{{now, scene.at(shown.at(end))}});
   }
-  way(scene, shown, shown.climb().walk,
-      shown.told.all[static_cast<std::size_t>(shown.step)].look + 1);
+  way(scene, shown, shown.climb().walk, shown.told.all[shown.step].look + 1);
   if (!shown.asks && look.next >= 0) scene.arrow("climb.move", now, scene.at(shown.at(look.next)));
   if (look.next < 0 && !shown.asks) {
     scene.diamond("support.vertex", now, kSupportRadius, shown.subject(look.at));

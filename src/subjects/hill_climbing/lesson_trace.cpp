@@ -31,7 +31,7 @@ std::shared_ptr<const AlgorithmTrace> run_walks(const Lesson& lesson, const Posi
     told->neighbours[body] =
         neighbours_of(exact_hull(run.bodies[body].world), run.bodies[body].world.size());
   if (lesson.warm_start && before != nullptr) {
-    for (const Climb& climb : climbs_told(*before).climbs) at[body_of(climb)] = climb.walk.end();
+    for (const Climb& climb : climbs_trace(*before).climbs) at[body_of(climb)] = climb.walk.end();
   }
   for (const WideStep& step : run.trace.steps) {
     if (step.phase != gjk::Phase::support) continue;
@@ -64,8 +64,8 @@ StepInfo ClimbTrace::info(int step) const {
 int ClimbTrace::walked(int step) const {
   int count = 0;
   for (int i = 0; i < step; ++i) {
-    const bool is_first = all[static_cast<std::size_t>(i)].look == 0;
-    count += (is_first ? 1 : 0) + static_cast<int>(look(i).fresh.size());
+    const bool is_first = all[i].look == 0;
+    count += (is_first ? 1 : 0) + static_cast<int>(look(i).new_neighbours.size());
   }
   return count;
 }
@@ -81,19 +81,16 @@ Json ClimbTrace::json(const Lesson& lesson, const PositionedRun& run) const {
     const Look& at = look(i);
     const LessonShape& shape = lesson.bodies[body_of(of)];
     const std::vector<Vector3d>& points = run.bodies[body_of(of)].world;
-    const auto name = [&](int vertex) {
-      return shape.vertex_names[static_cast<std::size_t>(vertex)];
-    };
+    const auto name = [&](int vertex) { return shape.vertex_names[vertex]; };
     const auto product = [&](int vertex) {
       return Json{{"vertex", name(vertex)},
-                  {"value", fields::number(gjk::dot<double, 3>(
-                                of.walk.d, points[static_cast<std::size_t>(vertex)]))}};
+                  {"value", fields::number(gjk::dot<double, 3>(of.walk.d, points[vertex]))}};
     };
     Json step = {{"phase", info(i).phase}, {"iteration", of.iteration},
                  {"of", shape.name},       {"d", fields::point(of.walk.d)},
                  {"at", name(at.at)},      {"products", Json::array()}};
-    if (all[static_cast<std::size_t>(i)].look == 0) step["products"].push_back(product(at.at));
-    for (const int vertex : at.fresh) step["products"].push_back(product(vertex));
+    if (all[i].look == 0) step["products"].push_back(product(at.at));
+    for (const int vertex : at.new_neighbours) step["products"].push_back(product(vertex));
     if (at.next >= 0) step["next"] = name(at.next);
     out["steps"].push_back(std::move(step));
   }

@@ -31,12 +31,9 @@ class ClimbTrace final : public AlgorithmTrace {
   [[nodiscard]] nlohmann::ordered_json json(const Lesson& lesson,
                                             const PositionedRun& run) const override;
 
-  [[nodiscard]] const Climb& climb(int step) const {
-    return climbs[static_cast<std::size_t>(all[static_cast<std::size_t>(step)].climb)];
-  }
+  [[nodiscard]] const Climb& climb(int step) const { return climbs[all[step].climb]; }
   [[nodiscard]] const climbing::Look& look(int step) const {
-    return climb(step)
-        .walk.looks[static_cast<std::size_t>(all[static_cast<std::size_t>(step)].look)];
+    return climb(step).walk.looks[all[step].look];
   }
   /// Dot products of walks before `step`.
   [[nodiscard]] int walked(int step) const;
@@ -48,7 +45,7 @@ class ClimbTrace final : public AlgorithmTrace {
 };
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const ClimbTrace& climbs_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const ClimbTrace& climbs_trace(const AlgorithmTrace& trace) {
   return static_cast<const ClimbTrace&>(trace);
 }
 

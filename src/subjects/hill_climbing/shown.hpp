@@ -18,7 +18,7 @@ enum class After { growth, needs };
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(climbs_told(run.algorithm_trace(frame))),
+        told(climbs_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         asks(frame.question >= 0),
         is_answer(frame.step >= told.steps()),
@@ -34,15 +34,11 @@ struct Shown {
   // For a frame with a step
   [[nodiscard]] const Climb& climb() const { return told.climb(step); }
   [[nodiscard]] const climbing::Look& look() const { return told.look(step); }
-  [[nodiscard]] bool is_first() const { return told.all[static_cast<std::size_t>(step)].look == 0; }
+  [[nodiscard]] bool is_first() const { return told.all[step].look == 0; }
   [[nodiscard]] std::size_t body() const { return climb().of_x ? 0 : 1; }
   [[nodiscard]] const LessonShape& shape() const { return lesson.bodies[body()]; }
-  [[nodiscard]] const std::string& name(int vertex) const {
-    return shape().vertex_names[static_cast<std::size_t>(vertex)];
-  }
-  [[nodiscard]] const Eigen::Vector3d& at(int vertex) const {
-    return bodies[body()].world[static_cast<std::size_t>(vertex)];
-  }
+  [[nodiscard]] const std::string& name(int vertex) const { return shape().vertex_names[vertex]; }
+  [[nodiscard]] const Eigen::Vector3d& at(int vertex) const { return bodies[body()].world[vertex]; }
   [[nodiscard]] Subject subject(int vertex) const {
     return climb().of_x ? Subject{Subject::Kind::vertex_of_x, vertex}
                         : Subject{Subject::Kind::vertex_of_y, -1, vertex};
@@ -54,11 +50,11 @@ struct Shown {
     return gjk::dot<double, 3>(climb().walk.d, at(vertex));
   }
   [[nodiscard]] const std::vector<int>& neighbours() const {
-    return told.neighbours[body()][static_cast<std::size_t>(look().at)];
+    return told.neighbours[body()][look().at];
   }
   /// Dot products of the current walk by now.
   [[nodiscard]] int products() const {
-    return told.walked(over()) - told.walked(step - told.all[static_cast<std::size_t>(step)].look);
+    return told.walked(over()) - told.walked(step - told.all[step].look);
   }
   /// Steps that are over.
   [[nodiscard]] int over() const { return asks ? step : step + 1; }

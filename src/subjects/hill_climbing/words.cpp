@@ -27,7 +27,7 @@ void start(const Shown& shown, FrameText& text) {
   text.detail = fmt::format(
       "A walk looks at neighbours only: the other ends of a vertex's edges, which are stored. It "
       "starts at {}.",
-      shape.vertex_names[static_cast<std::size_t>(first.walk.looks.front().at)]);
+      shape.vertex_names[first.walk.looks.front().at]);
 }
 
 /// Whether one neighbour lies farther by so little that rounding of d can make it.
@@ -57,7 +57,7 @@ void move(const Story& story, const Shown& shown, FrameText& text) {
   text.detail = fmt::format("{} · {} = {} is more than {} · {} = {}.", shown.d(), next,
                             story.numbers(shown.product(look.next)), shown.d(), now,
                             story.numbers(shown.product(look.at)));
-  const std::size_t known = shown.neighbours().size() - look.fresh.size();
+  const std::size_t known = shown.neighbours().size() - look.new_neighbours.size();
   if (shown.is_first() && shown.step > 0) {
     text.detail += fmt::format(" This walk starts where the last one ended, at {}.", now);
   } else if (known > 0) {
@@ -159,9 +159,9 @@ void values(const Story& story, FrameText& text) {
   put("y", story.run.lesson.y().name);
   if (shown.told.steps() == 0 || shown.step < 0) return;
   int scanned = 0;
-  const int climbs = shown.told.all[static_cast<std::size_t>(shown.step)].climb + 1;
+  const int climbs = shown.told.all[shown.step].climb + 1;
   for (int i = 0; i < climbs; ++i) {
-    const Climb& each = shown.told.climbs[static_cast<std::size_t>(i)];
+    const Climb& each = shown.told.climbs[i];
     scanned += static_cast<int>(shown.bodies[each.of_x ? 0 : 1].world.size());
   }
   put("at", shown.name(shown.look().at));

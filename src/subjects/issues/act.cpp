@@ -8,7 +8,7 @@ namespace {
 
 void issues_frames(LessonRun& run, int index) {
   run.frames.push_back({.run = index});
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   if (last >= 0) run.frames.push_back({.run = index, .step = last});
 }
 
@@ -31,7 +31,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   return frame.step >= 0 && question.at.value_or(frame.run + 1) == frame.run + 1 ? frame.step : -1;
 }
 
-/// Before anything is told of the place of Q, or of how the run ends there.
+/// The frame before the first one that shows the place of Q, or how the run ends there.
 Frame asking(const LessonRun&, const Frame& frame) { return {.run = frame.run}; }
 
 }  // namespace

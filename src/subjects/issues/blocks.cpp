@@ -39,9 +39,7 @@ std::string outcome(PanelBuilder& panel, const NumericalIssue::Value& issue, con
 void issues(PanelBuilder& panel) {
   std::string_view topic;
   for (int i = 0; i < static_cast<int>(panel.run.runs.size()); ++i) {
-    const Frame end{
-        .run = i,
-        .step = last_step(panel.run.lesson, panel.run.runs[static_cast<std::size_t>(i)].trace)};
+    const Frame end{.run = i, .step = last_step(panel.run.lesson, panel.run.runs[i].trace)};
     const NumericalIssue::Value& value = panel.effects.get<NumericalIssue>(end);
     const Issue& issue = kIssues[static_cast<std::size_t>(value.kind)];
     if (issue.topic != topic) panel.heading(std::string(issue.topic));

@@ -8,7 +8,7 @@ namespace {
 /// Earlier places of Q, numbered as in the panel.
 void earlier_places(SceneBuilder& scene) {
   for (int i = 0; i < scene.frame.run; ++i) {
-    const Point q = scene.at(scene.run.runs[static_cast<std::size_t>(i)].x().world[0]);
+    const Point q = scene.at(scene.run.runs[i].x().world[0]);
     scene.disk("query.earlier", q, sizes::kClosestRadius);
     const std::string number = std::to_string(i + 1);
     scene.out.fixed_labels.push_back(

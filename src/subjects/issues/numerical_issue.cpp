@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 /// The last step of a phase; -1 where there is none.
 int last_of(const WideTrace& trace, gjk::Phase phase) {
   for (int i = static_cast<int>(trace.steps.size()) - 1; i >= 0; --i)
-    if (trace.steps[static_cast<std::size_t>(i)].phase == phase) return i;
+    if (trace.steps[i].phase == phase) return i;
   return -1;
 }
 
@@ -40,8 +40,7 @@ bool is_edge(const std::vector<int>& corners, int a, int b) {
   const auto place = std::find(corners.begin(), corners.end(), a) - corners.begin();
   const auto count = static_cast<std::ptrdiff_t>(corners.size());
   if (place == count) return false;
-  return corners[static_cast<std::size_t>((place + 1) % count)] == b ||
-         corners[static_cast<std::size_t>((place + count - 1) % count)] == b;
+  return corners[(place + 1) % count] == b || corners[(place + count - 1) % count] == b;
 }
 
 }  // namespace

@@ -15,8 +15,7 @@ using IssueKind = NumericalIssue::Kind;
 /// "E, F and G"
 std::string named(const Story& story, const std::vector<int>& vertices) {
   std::vector<std::string> names;
-  for (const int i : vertices)
-    names.push_back(story.run.lesson.y().vertex_names[static_cast<std::size_t>(i)]);
+  for (const int i : vertices) names.push_back(story.run.lesson.y().vertex_names[i]);
   return and_list(std::move(names));
 }
 
@@ -74,9 +73,8 @@ void issue(const Story& story, FrameText& text) {
       return;
     case IssueKind::notch: {
       const auto& inside = story.effects.get<ShapeHull>(story.frame).y.inside;
-      text.caption =
-          fmt::format("The polygon is not convex at {}, and {} lies in that notch.",
-                      story.run.lesson.y().vertex_names[static_cast<std::size_t>(inside[0])], q);
+      text.caption = fmt::format("The polygon is not convex at {}, and {} lies in that notch.",
+                                 story.run.lesson.y().vertex_names[inside[0]], q);
       text.detail = fmt::format("{} is outside of the polygon, but inside its hull.", q);
       return;
     }
@@ -143,8 +141,7 @@ void issue_solved(const Story& story, FrameText& text) {
 }
 
 void issue_question(const Story& story, FrameText& text) {
-  if (story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask ==
-      asks::kClosestY.name)
+  if (story.run.asked(story.frame).ask == asks::kClosestY.name)
     return closest_question(story, text);
   const int last = last_step(story.run.lesson, story.trace);
   text.question = FrameQuestion{"stop", stop_tests(story.run),

@@ -54,8 +54,7 @@ TestedFeet::Value TestedFeet::compute(EffectGraph& graph, const LessonRun& run,
   const FrameFacts::Value& knows = graph.get<FrameFacts>(frame);
   if (!knows.gradual || knows.tests_reached < 0) return feet;
   const WideSimplex& simplex = state_before(run.run(frame).trace, run.gjk_step(frame)).simplex;
-  const gjk::RegionTest<double>& test =
-      knows.region_tests[static_cast<std::size_t>(knows.tests_reached)];
+  const gjk::RegionTest<double>& test = knows.region_tests[knows.tests_reached];
   for (const gjk::RegionTerm<double>& term : test.terms) {
     if (gjk::vertex_count(term.face) != 2 || !(term.denominator > 0.0)) continue;
     Foot foot{term.vertex, 0, term.numerator / term.denominator};

@@ -9,14 +9,14 @@ using models::WalkPhase;
 
 Shown::Shown(const LessonRun& run, const Frame& frame)
     : lesson(run.lesson),
-      walk(*walk_told(run, frame.run)),
+      walk(*walk_trace(run, frame.run)),
       step(last_step_over(walk.trace.steps, frame)),
       state(step == nullptr ? walk.trace.start : step->after),
       is_answer(frame.step >= static_cast<int>(walk.trace.steps.size())) {}
 
 std::vector<Border> Shown::borders(bool of_x) const {
   const models::RingFeature& at = feature(of_x);
-  const auto corner = [&](int i) { return ring(of_x).points[static_cast<std::size_t>(i)]; };
+  const auto corner = [&](int i) { return ring(of_x).points[i]; };
   const Eigen::Vector2d a = corner(at.index);
   const int next = ring(of_x).next(at.index);
   const Eigen::Vector2d way = corner(next) - a;

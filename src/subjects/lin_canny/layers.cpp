@@ -46,7 +46,7 @@ void region(SceneBuilder& scene, const Shown& shown, bool of_x) {
 void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
   const models::Ring& ring = shown.ring(of_x);
   const RingFeature& at = shown.feature(of_x);
-  const auto corner = [&](int i) { return scene.at(ring.points[static_cast<std::size_t>(i)]); };
+  const auto corner = [&](int i) { return scene.at(ring.points[i]); };
   if (at.is_vertex) return scene.disk("feature.vertex", corner(at.index), kSimplexRadius);
   scene.line("feature.edge", corner(at.index), corner(ring.next(at.index)));
 }

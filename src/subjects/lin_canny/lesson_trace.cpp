@@ -27,14 +27,14 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"distance", "distance of the closest features, once the walk has stopped"},
      {"swaps", "features that the walk has swapped by now"}}};
 
-class Told : public AlgorithmTrace {
+class LessonTrace : public AlgorithmTrace {
  public:
-  explicit Told(WalkTold walk) : walk_(std::move(walk)) {}
+  explicit LessonTrace(WalkTold walk) : walk_(std::move(walk)) {}
 
   [[nodiscard]] const WalkTold& walk() const { return walk_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(walk_.trace.steps.size()); }
   [[nodiscard]] StepInfo info(int index) const override {
-    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
+    const models::WalkStep& step = walk_.trace.steps[index];
     const bool is_swap = step.phase == WalkPhase::swap;
     return {step.after.swaps + (is_swap ? 0 : 1), name_of(step.phase),
             is_swap || step.after.stop != WalkStop::running};
@@ -64,7 +64,7 @@ class Told : public AlgorithmTrace {
 
  private:
   [[nodiscard]] Json step_json(const Lesson& lesson, int index) const {
-    const models::WalkStep& step = walk_.trace.steps[static_cast<std::size_t>(index)];
+    const models::WalkStep& step = walk_.trace.steps[index];
     const StepInfo at = info(index);
     Json out = {{"phase", at.phase},
                 {"iteration", at.iteration},
@@ -117,7 +117,7 @@ std::string text(const Json& document, const Json& trace) {
 }
 
 const WalkTold& walk_of(const AlgorithmTrace& trace) {
-  return static_cast<const Told&>(trace).walk();
+  return static_cast<const LessonTrace&>(trace).walk();
 }
 
 /// The vertex of an outline as a feature of its ring.
@@ -139,7 +139,7 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
     told.trace.result.stop = WalkStop::refused;
     told.trace.result.flaw = flaw;
     told.trace.result.flaw_in_b = model == &y;
-    return std::make_shared<const Told>(std::move(told));
+    return std::make_shared<const LessonTrace>(std::move(told));
   }
   told.query = models::walk_query(x, y);
   const gjk::VertexPair start = lesson.options.start.pairs[0];
@@ -151,7 +151,7 @@ std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const Posit
   }
   told.trace = models::trace_walk(*told.query, a, b);
   if (told.trace.result.stop == WalkStop::local_minimum) told.truth = models::brute(x, y).answer;
-  return std::make_shared<const Told>(std::move(told));
+  return std::make_shared<const LessonTrace>(std::move(told));
 }
 
 }  // namespace
@@ -166,9 +166,7 @@ std::string feature_name(const Lesson& lesson, const models::WalkQuery& query, b
                          const models::RingFeature& feature) {
   const LessonShape& shape = of_x ? lesson.x() : lesson.y();
   const models::Ring& ring = of_x ? query.a : query.b;
-  const auto name = [&](int i) {
-    return shape.vertex_names[static_cast<std::size_t>(ring.index[static_cast<std::size_t>(i)])];
-  };
+  const auto name = [&](int i) { return shape.vertex_names[ring.index[i]]; };
   if (feature.is_vertex) return fmt::format("vertex {} of {}", name(feature.index), shape.name);
   return fmt::format("edge {}{} of {}", name(feature.index), name(ring.next(feature.index)),
                      shape.name);
@@ -183,9 +181,9 @@ const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
                                    .stops = std::span(kStops).subspan(1),
                                    .text = text};
 
-const WalkTold* walk_told(const LessonRun& run, int index) {
+const WalkTold* walk_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;
-  return &walk_of(*run.algorithm_traces[static_cast<std::size_t>(index)]);
+  return &walk_of(*run.algorithm_traces[index]);
 }
 
 }  // namespace gjkscope

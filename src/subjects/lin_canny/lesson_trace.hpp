@@ -20,7 +20,7 @@ struct WalkTold {
 extern const Algorithm kLinCannyAlgorithm;
 
 /// The walk of run `index`; nullptr where the lesson shows another algorithm.
-[[nodiscard]] const WalkTold* walk_told(const LessonRun& run, int index);
+[[nodiscard]] const WalkTold* walk_trace(const LessonRun& run, int index);
 
 /// "vertex C of X", "edge KL of Y"
 [[nodiscard]] std::string feature_name(const Lesson& lesson, const models::WalkQuery& query,

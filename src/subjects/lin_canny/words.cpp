@@ -172,8 +172,7 @@ void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
 
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  const models::WalkStep& step =
-      shown.walk.trace.steps[static_cast<std::size_t>(story.frame.answering_step)];
+  const models::WalkStep& step = shown.walk.trace.steps[story.frame.answering_step];
   FrameQuestion& asked =
       text.question.emplace(FrameQuestion{std::string(kAskFeature.name), {}, {}});
   for (const bool of_x : {true, false}) {

@@ -13,21 +13,21 @@ namespace gjkscope::methods {
 namespace {
 
 const MethodsTold& told(const LessonRun& run, const Frame& frame) {
-  return *methods_told(run, frame.run);
+  return *methods_trace(run, frame.run);
 }
 
-/// A new position, of which nothing is told yet.
+/// True for a frame at a new position that shows no numbers yet.
 bool asks_first(const Frame& frame) { return frame.step < 0; }
 /// The frame after all positions, which sums up.
 bool is_sum(const Frame& frame) { return frame.step > 0; }
 
-/// Positions whose counts a frame tells.
+/// The number of positions whose counts a frame shows.
 int positions_told(const Frame& frame) { return frame.run + (asks_first(frame) ? 0 : 1); }
 
 /// The sum over them.
 long total(const LessonRun& run, const Frame& frame, Method method) {
   long sum = 0;
-  for (int i = 0; i < positions_told(frame); ++i) sum += methods_told(run, i)->at(method);
+  for (int i = 0; i < positions_told(frame); ++i) sum += methods_trace(run, i)->at(method);
   return sum;
 }
 
@@ -37,15 +37,14 @@ std::string iterations(long count) {
 }
 
 void add_frames(LessonRun& run, int index) {
-  const bool is_refused = methods_told(run, index)->is_refused();
+  const bool is_refused = methods_trace(run, index)->is_refused();
   run.frames.push_back({.run = index, .step = is_refused ? -1 : 0});
   const bool is_last = index + 1 == static_cast<int>(run.runs.size());
   if (is_last && !is_refused) run.frames.push_back({.run = index, .step = 1});
 }
 
 std::string position(const LessonRun& run, int index) {
-  return is_sum(run.frames[static_cast<std::size_t>(index)]) ? "all positions"
-                                                             : position_on_path(run, index);
+  return is_sum(run.frames[index]) ? "all positions" : position_on_path(run, index);
 }
 
 Tick tick(const LessonRun&, const Frame& frame) {
@@ -163,7 +162,7 @@ void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) 
 
 void question(const Story& story, FrameText& text) {
   FrameQuestion& asked = text.question.emplace();
-  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  asked.ask = story.run.asked(story.frame).ask;
   if (asked.ask == kAskFront.name) {
     ask_about_front(told(story.run, story.frame), text, asked);
   } else if (asked.ask != kAskMemory.name) {
@@ -208,7 +207,7 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
     PlotSeries series{kStyles[static_cast<std::size_t>(method)], std::string(name_of(method)), {}};
     series.has_symbols = series.style != PlotStyle::limit;
     for (int i = 0; i < positions; ++i) {
-      const MethodsTold& each = *methods_told(scene.run, i);
+      const MethodsTold& each = *methods_trace(scene.run, i);
       const double count = static_cast<double>(std::max(each.at(method), 1L));
       most = std::max(most, count);
       if (i < positions_told(scene.frame)) series.points.emplace_back(i + 1.0, count);

@@ -17,9 +17,9 @@ constexpr std::array<std::string_view, 1> kAnswers = {"distance"};
 constexpr std::array<PlaceholderInfo, 1> kValues = {
     {{"distance", "distance of the shapes at this position"}}};
 
-class Told : public OutlineTrace {
+class LessonTrace : public OutlineTrace {
  public:
-  explicit Told(MethodsTold told) : OutlineTrace(told.refusal), told_(std::move(told)) {}
+  explicit LessonTrace(MethodsTold told) : OutlineTrace(told.refusal), told_(std::move(told)) {}
 
   [[nodiscard]] const MethodsTold& told() const { return told_; }
   [[nodiscard]] int steps() const override { return refusal ? 0 : 1; }
@@ -95,9 +95,9 @@ class Asking {
  private:
   using Query = models::SearchQuery<models::Box>;
 
-  /// The front only moves down, and trees that are built anew have other segments in their nodes:
-  /// it is left when it costs three quarters of a search from the roots. That search itself is no
-  /// reason.
+  /// A front only moves down, and trees that are built anew have other segments in their nodes. It
+  /// is given up when a search from it costs more than three quarters of one from the roots, but
+  /// not after the first search, which starts at the roots.
   [[nodiscard]] static bool is_cheap(const MethodsTold& told) {
     const long visits = told.at(Method::tree_front);
     return visits == told.from_roots || 4 * visits <= 3 * told.from_roots;
@@ -143,13 +143,14 @@ std::shared_ptr<const AlgorithmTrace> run_methods(const Lesson& lesson, const Po
   MethodsTold told;
   const OutlinesOfRun outlines = outlines_of(lesson, run);
   told.refusal = refusal_of(outlines, models::Needs::convex);
-  if (told.refusal) return std::make_shared<const Told>(std::move(told));
-  const MethodsTold* last = before == nullptr ? nullptr : &static_cast<const Told&>(*before).told();
+  if (told.refusal) return std::make_shared<const LessonTrace>(std::move(told));
+  const MethodsTold* last =
+      before == nullptr ? nullptr : &static_cast<const LessonTrace&>(*before).told();
   Asking asking(told, last != nullptr && !last->is_refused() ? last : nullptr);
   asking.gjk(run, lesson);
   asking.walk(outlines.x, outlines.y);
   asking.trees(outlines.x, outlines.y);
-  return std::make_shared<const Told>(std::move(told));
+  return std::make_shared<const LessonTrace>(std::move(told));
 }
 
 }  // namespace
@@ -175,9 +176,9 @@ const Algorithm kMethodsAlgorithm{.name = "methods",
                                   .run = run_methods,
                                   .takes_outlines = true};
 
-const MethodsTold* methods_told(const LessonRun& run, int index) {
+const MethodsTold* methods_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kMethodsAlgorithm) return nullptr;
-  return &static_cast<const Told&>(*run.algorithm_traces[static_cast<std::size_t>(index)]).told();
+  return &static_cast<const LessonTrace&>(*run.algorithm_traces[index]).told();
 }
 
 }  // namespace gjkscope

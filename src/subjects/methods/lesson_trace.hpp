@@ -52,6 +52,6 @@ struct MethodsTold {
 extern const Algorithm kMethodsAlgorithm;
 
 /// The results in run `index`; nullptr when the lesson shows another algorithm.
-[[nodiscard]] const MethodsTold* methods_told(const LessonRun& run, int index);
+[[nodiscard]] const MethodsTold* methods_trace(const LessonRun& run, int index);
 
 }  // namespace gjkscope

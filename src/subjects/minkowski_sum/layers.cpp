@@ -10,9 +10,7 @@ using minkowski_sum::Phase;
 using minkowski_sum::Source;
 using namespace sizes;
 
-const Vector2d& point_of(const models::Ring& ring, int i) {
-  return ring.points[static_cast<std::size_t>(i)];
-}
+const Vector2d& point_of(const models::Ring& ring, int i) { return ring.points[i]; }
 
 std::string role_of(Source source) {
   return source == Source::y ? "from.y" : source == Source::x ? "from.x" : "from.both";
@@ -21,7 +19,7 @@ std::string role_of(Source source) {
 /// The step that is asked about; none where a frame tells.
 const minkowski_sum::Step* asked_step(const SceneBuilder& scene, const Shown& shown) {
   if (scene.frame.question < 0) return nullptr;
-  return &shown.merge.steps[static_cast<std::size_t>(scene.frame.answering_step)];
+  return &shown.merge.steps[scene.frame.answering_step];
 }
 
 /// In the world: the edges of X and Y that make the newest edge, or that can make the next.
@@ -47,7 +45,7 @@ void summands(SceneBuilder& scene, const Shown& shown) {
     for (const Point& point : points) middle += point / static_cast<double>(points.size());
     scene.area(role, points);
     scene.outline(points);
-    const Point& corner = points[static_cast<std::size_t>(sign > 0.0 ? 0 : ring.size() - 1)];
+    const Point& corner = points[sign > 0.0 ? 0 : ring.size() - 1];
     scene.out.moving_labels.push_back(scene.label("summand:" + name, name, role + ".label",
                                                   type::kVertex, corner, kVertexRadius,
                                                   corner - middle));
@@ -115,7 +113,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
       scene.support_line(scene.at(from), in_space(Vector2d(way.y(), -way.x())), "slab.side");
   }
   for (int i = 0; i < std::min(shown.edges() + 1, static_cast<int>(merge.corners.size())); ++i)
-    corner_mark(merge.corners[static_cast<std::size_t>(i)]);
+    corner_mark(merge.corners[i]);
   if (waits) scene.disk("cloud.current", corner_at(shown.step->after.at), kSimplexRadius);
 }
 

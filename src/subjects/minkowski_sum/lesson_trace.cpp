@@ -25,9 +25,7 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
 constexpr std::array<std::string_view, 3> kPlaces = {"outside", "on-edge", "inside"};
 
 std::string edge_of(const LessonShape& shape, const models::Ring& ring, int from) {
-  const auto name = [&](int i) {
-    return shape.vertex_names[static_cast<std::size_t>(ring.index[static_cast<std::size_t>(i)])];
-  };
+  const auto name = [&](int i) { return shape.vertex_names[ring.index[i]]; };
   return name(from) + name(ring.next(from));
 }
 
@@ -44,9 +42,7 @@ std::shared_ptr<const AlgorithmTrace> run_sum(const Lesson& lesson, const Positi
 }  // namespace
 
 std::string corner_name(const Lesson& lesson, const Merge& merge, const Corner& corner) {
-  const auto at = [](const std::vector<int>& index, int i) {
-    return index[static_cast<std::size_t>(i)];
-  };
+  const auto at = [](const std::vector<int>& index, int i) { return index[i]; };
   return pair_name(lesson.x().vertex_names, lesson.y().vertex_names,
                    {at(merge.x.index, corner.x), at(merge.y.index, corner.y)});
 }
@@ -64,7 +60,7 @@ SumTrace::SumTrace(std::optional<Refusal> refused, Merge merged)
     : OutlineTrace(refused), merge(std::move(merged)) {}
 
 StepInfo SumTrace::info(int step) const {
-  const Phase phase = merge.steps[static_cast<std::size_t>(step)].phase;
+  const Phase phase = merge.steps[step].phase;
   return {std::max(step, 1), kPhases[static_cast<std::size_t>(phase)], phase == Phase::inside};
 }
 
@@ -75,7 +71,7 @@ double SumTrace::answer(std::string_view name) const {
 }
 
 Json SumTrace::step_json(const Lesson& lesson, int index) const {
-  const Step& step = merge.steps[static_cast<std::size_t>(index)];
+  const Step& step = merge.steps[index];
   if (step.phase == Phase::inside)
     return {{"origin", kPlaces[static_cast<std::size_t>(merge.origin)]}};
   Json out;

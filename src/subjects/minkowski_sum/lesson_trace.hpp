@@ -33,7 +33,7 @@ class SumTrace final : public OutlineTrace {
                                     minkowski_sum::Source source);
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const SumTrace& sum_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const SumTrace& sum_trace(const AlgorithmTrace& trace) {
   return static_cast<const SumTrace&>(trace);
 }
 

@@ -78,8 +78,9 @@ namespace detail {
 [[nodiscard]] inline int which_turns_less(const Merge& merge, const Corner& at) {
   const auto quarter = [](const Point& a) { return Point(-a.y(), a.x()); };
   // The edge of -X from -a to -b is a - b.
-  return models::alike(quarter(merge.y.points[at.y]), quarter(merge.y.points[merge.y.next(at.y)]),
-                       merge.x.points[merge.x.next(at.x)], merge.x.points[at.x]);
+  return models::dot_sign(quarter(merge.y.points[at.y]),
+                          quarter(merge.y.points[merge.y.next(at.y)]),
+                          merge.x.points[merge.x.next(at.x)], merge.x.points[at.x]);
 }
 
 /// Exactly: 1 where O lies on the inner side of the edge from `corner`, 0 on its line.

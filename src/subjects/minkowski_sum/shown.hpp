@@ -14,7 +14,7 @@ inline constexpr AskInfo kAskEdge{"next-edge", "which edge of the difference com
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(sum_told(run.algorithm_trace(frame))),
+        told(sum_trace(run.algorithm_trace(frame))),
         merge(told.merge),
         step(last_step_over(merge.steps, frame)),
         is_answer(frame.step >= static_cast<int>(merge.steps.size())) {}
@@ -33,7 +33,7 @@ struct Shown {
     return step != nullptr && step->after.edges_of_y == merge.y.size() &&
            step->after.edges_of_x == merge.x.size();
   }
-  /// Edges of the difference by now.
+  /// The number of edges that the difference has so far.
   [[nodiscard]] int edges() const {
     if (step == nullptr) return 0;
     return std::min(static_cast<int>(step - merge.steps.data()),

@@ -53,11 +53,10 @@ void inside(const Shown& shown, FrameText& text) {
       break;
     case OriginSide::outside:
       text.caption = fmt::format("O lies outside: {} and {} are apart.", x, y);
-      text.detail = fmt::format(
-          "It lies beyond the {}, so {} and {} have no point in common.",
-          shown.edge(shown.merge.corners[static_cast<std::size_t>(shown.merge.separating)],
-                     shown.merge.edges[static_cast<std::size_t>(shown.merge.separating)]),
-          x, y);
+      text.detail = fmt::format("It lies beyond the {}, so {} and {} have no point in common.",
+                                shown.edge(shown.merge.corners[shown.merge.separating],
+                                           shown.merge.edges[shown.merge.separating]),
+                                x, y);
       break;
   }
 }
@@ -94,8 +93,7 @@ void words(const Story& story, FrameText& text) {
 
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  const minkowski_sum::Step& step =
-      shown.merge.steps[static_cast<std::size_t>(story.frame.answering_step)];
+  const minkowski_sum::Step& step = shown.merge.steps[story.frame.answering_step];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEdge.name), {}, {}});
   const Eigen::Vector2d from = shown.merge.at(step.before.at);
   for (const Source source : {Source::y, Source::x}) {

@@ -102,7 +102,7 @@ Point middle_of(const SceneBuilder& scene, const Body& body) {
 }
 
 void path(SceneBuilder& scene) {
-  // Arrows stand in place of a way.
+  // Arrows from the last position take the place of the path.
   if (!scene.run.lesson.path_of_shapes || scene.shows(LastPosition::kName)) return;
   const LessonPath& path = *scene.run.lesson.path_of_shapes;
   // Without a number of frames a path is a set of places to be in, not a way between them.
@@ -128,8 +128,7 @@ void path(SceneBuilder& scene) {
       scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
     for (const Point& point : points) scene.disk("path.point", point, 3.0);
     end_of_way(scene, points);
-    if (!scene.run.point_query())
-      scene.disk("path.now", points[static_cast<std::size_t>(scene.frame.run)], kPathNow);
+    if (!scene.run.point_query()) scene.disk("path.now", points[scene.frame.run], kPathNow);
   }
 }
 

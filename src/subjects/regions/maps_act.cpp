@@ -13,7 +13,7 @@ namespace {
 
 void maps_frames(LessonRun& run, int index) {
   using enum MapStage;
-  if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
+  if (run.runs[index].trace.steps.empty()) return;
   for (const MapStage stage :
        {voronoi, interior, negative_u, negative_v, negative_w, signs, blended, difference}) {
     // The maps are the same wherever X stands.
@@ -52,8 +52,7 @@ void maps_knows(const Frame& frame, KnownFacts& facts) {
 }
 
 void maps_question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   if (ask != kAskNegative.name) return captions::question(story, text);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
   for (const gjk::Face edge : {0b110, 0b101, 0b011})

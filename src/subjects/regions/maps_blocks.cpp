@@ -92,7 +92,7 @@ void signs(PanelBuilder& panel) {
     constexpr std::array<std::string_view, 4> kKinds = {"", "vertex", "edge", "interior"};
     return fmt::format("{} {}", kKinds[gjk::vertex_count(face)], panel.words.face(face));
   };
-  // Q's place in the maps is told when the maps are there.
+  // Q's place in the maps is shown once the maps are.
   const auto map = map_stage(panel.run, panel.frame);
   const auto told = [&](MapStage stage) { return !map || *map >= stage; };
   // The sign that a map of one coordinate shows.

@@ -14,7 +14,7 @@ namespace {
 
 void orders_frames(LessonRun& run, int index) {
   using enum OrderStage;
-  if (run.runs[static_cast<std::size_t>(index)].trace.steps.empty()) return;
+  if (run.runs[index].trace.steps.empty()) return;
   for (const OrderStage stage :
        {numbers, vertices_first_short, edges_first_short, edges_first_whole})
     run.frames.push_back({.run = index, .step = 0, .part = static_cast<int>(stage)});

@@ -37,7 +37,7 @@ bool keeps_answer_back(const SceneBuilder& scene) {
   if (!scene.knows.gradual || scene.knows.closest_point) return false;
   return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
     return other.run == frame.run && other.question >= 0 &&
-           run.lesson.questions[static_cast<std::size_t>(other.question)].ask == asks::kRegion.name;
+           run.asked(other).ask == asks::kRegion.name;
   });
 }
 

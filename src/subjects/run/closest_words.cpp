@@ -132,7 +132,7 @@ std::string region_reason(const Story& story) {
   return {};
 }
 
-/// A lesson that shows the areas is told by them.
+/// The words of a lesson that shows the areas.
 bool tells_areas(const Story& story) {
   return story.state.simplex.count == 3 && story.run.act->sweeps &&
          story.shows(BarycentricParts::kName);
@@ -190,7 +190,8 @@ void areas(const Story& story, FrameText& text) {
   if (!refutes(story.run, story.frame)) text.detail += fmt::format(" Thus {}.", sum);
 }
 
-/// A lesson that shows no weights is told by features: weights may be new to its reader.
+/// The words of a lesson that shows no weights: they name features, for weights may be new to
+/// readers.
 bool tells_features(const Story& story) {
   const Lesson& lesson = story.run.lesson;
   return story.state.simplex.count == 3 && story.run.act->sweeps &&
@@ -271,7 +272,7 @@ std::string where(const Story& story, const gjk::RegionTerm<double>& term) {
                      story.words.vertex(term.vertex), story.words.face(other));
 }
 
-/// A lesson that shows where Q falls on the line through AB is told by that.
+/// The words of a lesson that shows where Q falls on the line through AB.
 void projection(const Story& story, FrameText& text) {
   const std::string a = story.words.vertex(0);
   const std::string b = story.words.vertex(1);
@@ -303,7 +304,7 @@ std::string letters_of(const std::vector<double>& weights, bool negative) {
   return letters.empty() ? std::string() : and_list(letters);
 }
 
-/// A lesson that shows beyond which faces Q lies is told by the signs.
+/// The words of a lesson that shows beyond which faces Q lies: they name the signs.
 void volumes(const Story& story, FrameText& text) {
   const BarycentricWeights::Value& of_q = story.effects.get<BarycentricWeights>(story.frame);
   const FacesBefore::Value& faces = story.effects.get<FacesBefore>(story.frame);

@@ -184,8 +184,7 @@ std::optional<Line> line_of_step(const PanelBuilder& panel, const Steps& steps) 
       if (!knows.gradual) return line_of_region(count, panel.state.region);
       if (knows.tests_reached < 0)
         return count == 3 ? Line::triangle_numbers : Line::segment_numbers;
-      return line_of_region(
-          count, knows.region_tests[static_cast<std::size_t>(knows.tests_reached)].region);
+      return line_of_region(count, knows.region_tests[knows.tests_reached].region);
     }
     case Phase::drop:
       return Line::call;
@@ -254,7 +253,7 @@ int first_in_sight(const std::vector<int>& heights, int current, int before) {
   const int count = static_cast<int>(heights.size());
   const auto rows_from = [&](int first, int last) {
     int rows = 0;
-    for (int i = first; i <= last; ++i) rows += heights[static_cast<std::size_t>(i)];
+    for (int i = first; i <= last; ++i) rows += heights[i];
     return rows;
   };
   int first = std::max(current - before, 0);
@@ -300,7 +299,7 @@ void write_lines(PanelBuilder& panel, std::optional<Line> shown) {
   const bool is_struct = shown == Line::simplex_vertex;  // its fields follow it
   int first = first_in_sight(heights, current, is_struct ? 0 : kBefore);
   int last = first;
-  const auto height = [&](int line) { return heights[static_cast<std::size_t>(line)]; };
+  const auto height = [&](int line) { return heights[line]; };
   int left = kRows - height(first);
   while (last + 1 < static_cast<int>(lines.size()) && height(last + 1) <= left)
     left -= height(++last);
@@ -361,7 +360,7 @@ std::string braces(Language language, const std::string& inside) {
   return language == Language::python ? "(" + inside + ")" : "{" + inside + "}";
 }
 
-/// s as the loop has it. The weight of a vertex that was just added is the one it is made with.
+/// The variable s of the loop. A vertex that was just added has weight 1, as it is made.
 void write_simplex(Variables& out, bool is_weighed) {
   const PanelBuilder& panel = out.panel;
   const Language language = language_of(panel.run.lesson.listing);
@@ -457,7 +456,7 @@ void write_support(Variables& out) {
   const int best = panel.state.support.pair.y;
   out.row("shape", fmt::format("{}, {} vertices", y.name, y.vertices.size()));
   out.row("d", panel.numbers.point(panel.state.d));
-  out.row("best", std::to_string(best), y.vertex_names[static_cast<std::size_t>(best)], true);
+  out.row("best", std::to_string(best), y.vertex_names[best], true);
 }
 
 void write_variables(PanelBuilder& panel, std::optional<Line> line, const Steps& steps) {

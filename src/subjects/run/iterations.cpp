@@ -7,7 +7,7 @@ namespace gjkscope::acts {
 namespace {
 
 bool ends_iteration(const LessonRun& run, int index, int step) {
-  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  const WideTrace& trace = run.runs[index].trace;
   return step == last_step(run.lesson, trace) ||
          trace.steps[step + 1].iteration != trace.steps[step].iteration;
 }

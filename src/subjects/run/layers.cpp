@@ -281,11 +281,9 @@ namespace {
 void asked_directions(SceneBuilder& scene) {
   const Frame& frame = scene.frame;
   if (frame.question < 0 || frame.answering_step < 0) return;
-  const LessonQuestion& question =
-      scene.run.lesson.questions[static_cast<std::size_t>(frame.question)];
+  const LessonQuestion& question = scene.run.asked(frame);
   if (question.ask != asks::kSupport.name) return;
-  const Vector3d& d =
-      scene.positioned.trace.steps[static_cast<std::size_t>(frame.answering_step)].after.d;
+  const Vector3d& d = scene.positioned.trace.steps[frame.answering_step].after.d;
   scene.search_arrow(scene.at(middle_of(scene.positioned.y().world)), d, kPairArrow, "d");
   scene.search_arrow(scene.at(middle_of(scene.positioned.x().world)), -d, kPairArrow, "−d");
 }

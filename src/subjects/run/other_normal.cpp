@@ -21,7 +21,7 @@ int farthest(const std::vector<Vector3d>& vertices, const Vector3d& d) {
 const WideStep* direction_step(const LessonRun& run, const Frame& frame) {
   const std::vector<WideStep>& steps = run.run(frame).trace.steps;
   for (int i = run.gjk_step(frame); i >= 0; --i) {
-    const WideStep& step = steps[static_cast<std::size_t>(i)];
+    const WideStep& step = steps[i];
     if (step.phase == gjk::Phase::direction) return &step;
     if (step.phase == gjk::Phase::closest) break;
   }

@@ -12,7 +12,7 @@ namespace gjkscope::acts {
 namespace {
 
 void path_frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   // A refused run has no step: its frame shows the start.
   run.frames.push_back({.run = index, .step = run.lesson.until ? last : std::min(0, last)});
 }
@@ -27,8 +27,7 @@ Tick path_tick(const LessonRun& run, const Frame& frame) {
 int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
                 const LessonQuestion& question) {
   const WideTrace& trace = run.run(frame).trace;
-  if (frame.step < 0 ||
-      trace.steps[static_cast<std::size_t>(frame.step)].phase != gjk::Phase::closest ||
+  if (frame.step < 0 || trace.steps[frame.step].phase != gjk::Phase::closest ||
       !is_at(frame, question))
     return -1;
   const int count = state_before(trace, frame.step).simplex.count;

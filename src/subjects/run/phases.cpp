@@ -10,11 +10,11 @@ namespace {
 
 bool is_chosen(const LessonRun& run, int index, int step) {
   const std::vector<gjk::Phase>& phases = run.lesson.phases;
-  const auto& steps = run.runs[static_cast<std::size_t>(index)].trace.steps;
-  const gjk::Phase phase = steps[static_cast<std::size_t>(step)].phase;
+  const auto& steps = run.runs[index].trace.steps;
+  const gjk::Phase phase = steps[step].phase;
   // A drop phase that drops nothing has nothing to show.
   if (phase == gjk::Phase::drop && phases.empty() && step + 1 < static_cast<int>(steps.size()) &&
-      steps[static_cast<std::size_t>(step)].record.dropped.empty())
+      steps[step].record.dropped.empty())
     return false;
   return phases.empty() || std::find(phases.begin(), phases.end(), phase) != phases.end();
 }

@@ -309,8 +309,7 @@ class Asking {
 }  // namespace
 
 void question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   text.question = FrameQuestion{ask, {}, {}};
   Asking asking(story, text);
   if (ask == asks::kSupport.name) asking.support();
@@ -326,8 +325,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void closest_question(const Story& story, FrameText& text) {
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   const bool of_x = ask == asks::kClosestX.name;
   const LessonShape& shape = of_x ? story.run.lesson.x() : story.run.lesson.y();
   const LessonShape& other = of_x ? story.run.lesson.y() : story.run.lesson.x();
@@ -342,11 +340,9 @@ void closest_question(const Story& story, FrameText& text) {
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
   const std::vector<int> hull = convex_hull(points);
   const auto add = [&](int from, int to) {
-    const std::string& first = shape.vertex_names[static_cast<std::size_t>(from)];
-    asked.choices.push_back(from == to ? first
-                                       : first + shape.vertex_names[static_cast<std::size_t>(to)]);
-    asked.spots.push_back(Spot{ViewKind::world, points[static_cast<std::size_t>(from)],
-                               points[static_cast<std::size_t>(to)]});
+    const std::string& first = shape.vertex_names[from];
+    asked.choices.push_back(from == to ? first : first + shape.vertex_names[to]);
+    asked.spots.push_back(Spot{ViewKind::world, points[from], points[to]});
     if (is_closest(from) && is_closest(to)) asked.answer = asked.choices.back();
   };
   for (const int vertex : hull) add(vertex, vertex);
@@ -368,7 +364,7 @@ bool refutes(const LessonRun& run, const Frame& frame) {
   return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
     if (other.question < 0 || other.run != frame.run || other.answering_step != frame.step)
       return false;
-    const std::string& ask = run.lesson.questions[static_cast<std::size_t>(other.question)].ask;
+    const std::string& ask = run.asked(other).ask;
     return ask == asks::kWhy.name || ask == asks::kWhatIf.name;
   });
 }

@@ -26,8 +26,8 @@ constexpr double kNamesApart = 44.0;
 /// looked for in a time that grows with the square of their number.
 constexpr std::size_t kMostFilled = 256;
 
-/// Names of more vertices than this would only be in the way, but for those that GJK names, and
-/// disks of more vertices hide the line.
+/// A shape with more vertices than kMostLabels shows the names of few of them; one with more than
+/// kMostDisks has no disks, which would hide its outline.
 constexpr std::size_t kMostLabels = 8;
 constexpr std::size_t kMostDisks = 64;
 
@@ -44,7 +44,7 @@ void outlines(SceneBuilder& scene, const LessonShape& shape, const std::vector<V
       const std::vector<Vector2d> corners(world.begin() + first, world.begin() + first + count);
       if ((signed_area(corners) < 0.0) != holes) continue;
       for (const auto& [a, b, c] : triangles(corners)) {
-        const auto at = [&](int i) { return scene.at(corners[static_cast<std::size_t>(i)]); };
+        const auto at = [&](int i) { return scene.at(corners[i]); };
         scene.area(holes ? "hole" : role + ".fill", {at(a), at(b), at(c)},
                    holes ? Subject{} : whole);
       }
@@ -62,7 +62,7 @@ std::vector<bool> vertices_of_run(const SceneBuilder& scene, bool is_x, std::siz
   std::vector<bool> met(count, false);
   const auto meet = [&](const WideState& state) {
     const auto note = [&](const WideVertex& vertex) {
-      met[static_cast<std::size_t>(is_x ? vertex.pair.x : vertex.pair.y)] = true;
+      met[is_x ? vertex.pair.x : vertex.pair.y] = true;
     };
     for (int i = 0; i < state.simplex.count; ++i) note(state.simplex.vertices[i]);
   };
@@ -82,12 +82,12 @@ std::vector<bool> in_sight(const SceneBuilder& scene, const std::vector<Point>& 
   return out;
 }
 
-/// Whether a vertex has a name: if there is room beside it, or in any case.
+/// Whether a vertex has a name: never, only if there is room beside it, or always.
 enum class Named { no, with_room, yes };
 
-/// The names of a shape's vertices: all that are in sight where a view has room for that, else
-/// those that the run looks at, and then corners that are far from all that have one; within the
-/// hull only where there is room.
+/// Chooses the vertices of a shape that have names: all in the view if there is room, else those
+/// that the run looks at, and then corners far from all named ones. Vertices within the hull have
+/// names only if there is room.
 std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body,
                                      const std::vector<bool>& seen, bool has_room_inside) {
   const auto count_of = [](const std::vector<bool>& of) {
@@ -120,8 +120,7 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
     for (; count < wanted && !candidates.empty(); ++count) {
       const auto farthest = std::max_element(to_named.begin(), to_named.end());
       if (scene.map.scale() * std::sqrt(*farthest) < kNamesApart) return;
-      const auto next = static_cast<std::size_t>(
-          candidates[static_cast<std::size_t>(farthest - to_named.begin())]);
+      const auto next = static_cast<std::size_t>(candidates[farthest - to_named.begin()]);
       named[next] = Named::with_room;
       measure_from(next);
     }
@@ -132,7 +131,7 @@ std::vector<Named> names_of_vertices(const SceneBuilder& scene, std::size_t body
   const std::vector<int> corners = scene.map.is_of_space()
                                        ? scene.effects.get<ShapeSolids>(scene.frame)[body].vertices
                                        : convex_hull(in_plane(scene.positioned.bodies[body].world));
-  for (const int corner : corners) on_hull[static_cast<std::size_t>(corner)] = true;
+  for (const int corner : corners) on_hull[corner] = true;
   for (const bool of_hull : {true, false}) {
     if (!of_hull && !has_room_inside) break;
     std::vector<int> candidates;
@@ -168,7 +167,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
   const std::vector<Vector2d> world = in_plane(scene.positioned.bodies[body].world);
   const Subject whole{is_x ? Kind::shape_x : Kind::shape_y};
   const std::vector<Point> vertices = scene.mapped(world);
-  const std::vector<Point> corners = told_apart(vertices);
+  const std::vector<Point> corners = separate_points(vertices);
   const Point middle = centroid(corners);
   if (!shape.outlines.empty()) {
     outlines(scene, shape, world, role, whole);
@@ -299,7 +298,7 @@ void vertex_name(SceneBuilder& scene, const Subject& vertex, bool has_mark) {
     return;
   const std::string role = scene.run.point_query() ? "shape" : is_x ? "shape.x" : "shape.y";
   const std::string& name = scene.run.lesson.bodies[is_x ? 0 : 1].vertex_names[index];
-  const Point at = scene.at(world[static_cast<std::size_t>(index)]);
+  const Point at = scene.at(world[index]);
   if (!has_mark) scene.disk(role + ".vertex", at, kNamedRadius, vertex);
   scene.out.moving_labels.push_back(scene.label("vertex:" + name, name, role + ".label",
                                                 type::kVertex, at, kSimplexRadius,

@@ -88,8 +88,8 @@ int stop_step(const PanelBuilder& panel) {
   return -1;
 }
 
-/// True for tests that the run had behind it in this phase: a run that goes on to a direction is
-/// not inside and came nearer, one that goes on to a scan has a direction.
+/// True for tests that the run has passed by this phase: a run that goes on to a direction does not
+/// contain O and came nearer; a run that goes on to a scan has a direction.
 bool decided(const PanelBuilder& panel, StopReason reason) {
   const bool before_direction =
       reason == StopReason::origin_inside || reason == StopReason::not_nearer;

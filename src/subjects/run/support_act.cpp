@@ -11,7 +11,7 @@ namespace {
 
 void support_frames(LessonRun& run, int index) {
   using enum SupportPart;
-  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  const WideTrace& trace = run.runs[index].trace;
   const int last = last_step(run.lesson, trace);
   const std::size_t before = run.frames.size();
   for (int i = 0; i <= last; ++i) {
@@ -24,7 +24,7 @@ void support_frames(LessonRun& run, int index) {
 }
 
 std::string support_position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const auto part = support_part(run, frame);
   if (!part) return position_in_lesson(run, index);
   constexpr std::array<std::string_view, 4> kParts = {"direction", "support of Y", "support of X",

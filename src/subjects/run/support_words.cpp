@@ -19,13 +19,13 @@ std::string behind(const LessonShape& shape, int support) {
 std::string rank(const std::vector<Eigen::Vector3d>& vertices, const LessonShape& shape,
                  int support, const Eigen::Vector3d& d) {
   std::vector<std::string> equal;
-  const double largest = d.dot(vertices[static_cast<std::size_t>(support)]);
+  const double largest = d.dot(vertices[support]);
   constexpr double kSame = 1e-12;  // of the size of the products: far less than frames show
   for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
-    const Eigen::Vector3d& vertex = vertices[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d& vertex = vertices[i];
     if (i == support || std::abs(d.dot(vertex) - largest) > kSame * d.norm() * vertex.norm())
       continue;
-    equal.push_back(shape.vertex_names[static_cast<std::size_t>(i)] + "'s");
+    equal.push_back(shape.vertex_names[i] + "'s");
   }
   const std::string rank = fmt::format("the largest of {}", vertices.size());
   return equal.empty() ? rank : fmt::format("{}, as large as {}", rank, and_list(std::move(equal)));
@@ -54,7 +54,7 @@ void support_in_parts(const Story& story, FrameText& text) {
   const WideState& next = story.trace.steps[static_cast<std::size_t>(story.frame.step) + 1].after;
   switch (*support_part(story.run, story.frame)) {
     case SupportPart::direction: {
-      const WideStep& before = story.trace.steps[static_cast<std::size_t>(story.frame.step - 1)];
+      const WideStep& before = story.trace.steps[story.frame.step - 1];
       text.caption = fmt::format("d = {} {}. Which point of Z lies farthest along d?",
                                  story.numbers.point(story.state.d),
                                  before.record.direction.from_normal

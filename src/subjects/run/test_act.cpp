@@ -13,7 +13,7 @@ constexpr AskInfo kAskTest{"test", "whether a region's test is true", "of test"}
 constexpr std::array kTestAsks = {asks::kRegion, kAskTest};
 
 void test_frames(LessonRun& run, int index) {
-  const WideTrace& trace = run.runs[static_cast<std::size_t>(index)].trace;
+  const WideTrace& trace = run.runs[index].trace;
   if (trace.steps.empty()) return;
   const int tests = static_cast<int>(trace.steps[0].record.region_tests.size());
   for (int i = 0; i <= tests; ++i) run.frames.push_back({.run = index, .step = 0, .part = i});
@@ -35,17 +35,15 @@ int test_answer(const LessonRun& run, const Frame&, const Frame& frame,
 void test_knows(const Frame& frame, KnownFacts& facts) {
   facts.gradual = true;
   facts.tests_reached = frame.part - 1;
-  facts.closest_point = facts.tests_reached >= 0 &&
-                        facts.region_tests[static_cast<std::size_t>(facts.tests_reached)].holds;
+  facts.closest_point = facts.tests_reached >= 0 && facts.region_tests[facts.tests_reached].holds;
 }
 
 void test_question(const Story& story, FrameText& text) {
-  const LessonQuestion& question =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)];
+  const LessonQuestion& question = story.run.asked(story.frame);
   if (question.ask != kAskTest.name) return captions::question(story, text);
   const gjk::RegionTest<double>& test =
-      story.trace.steps[static_cast<std::size_t>(story.frame.answering_step)]
-          .record.region_tests[static_cast<std::size_t>(*tried_tests(story.run, story.frame))];
+      story.trace.steps[story.frame.answering_step]
+          .record.region_tests[*tried_tests(story.run, story.frame)];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{question.ask, {"true", "false"}, {}});
   asked.answer = test.holds ? "true" : "false";
   text.caption = fmt::format("Question: next comes the test of region {}. Is it true?",

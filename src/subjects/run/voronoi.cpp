@@ -9,8 +9,8 @@ using Eigen::Vector2d;
 
 Vector2d perpendicular(const Vector2d& v) { return {v.y(), -v.x()}; }
 
-/// Johnson's condition for each face, as half-planes: before the first point of an edge and behind
-/// its last, on the far side of the edge from the third vertex.
+/// Johnson's condition for each face, as half-planes: those of a vertex end at its edges' normals,
+/// those of an edge at both ends and at the edge itself, away from the third vertex.
 std::vector<HalfPlane> region_of(const std::vector<Vector2d>& points, gjk::Face face) {
   std::vector<HalfPlane> out;
   const int count = static_cast<int>(points.size());

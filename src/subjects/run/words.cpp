@@ -175,7 +175,7 @@ std::string tied(const Story& story, const std::vector<gjk::ScanEntry<double>>& 
   std::vector<std::string> names;
   for (const auto& entry : scan) {
     if (entry.value == largest) {
-      names.push_back(story.run.lesson.y().vertex_names[static_cast<std::size_t>(entry.index)]);
+      names.push_back(story.run.lesson.y().vertex_names[entry.index]);
     }
   }
   return names.size() < 2 ? std::string() : and_list(std::move(names));
@@ -193,12 +193,12 @@ std::string also_as_far(const LessonShape& shape, const std::vector<gjk::ScanEnt
   for (const auto& entry : scan) {
     if (entry.index != kept &&
         std::abs(entry.value - of_kept->value) <= kSame * std::abs(of_kept->value))
-      names.push_back(shape.vertex_names[static_cast<std::size_t>(entry.index)]);
+      names.push_back(shape.vertex_names[entry.index]);
   }
   if (names.empty()) return {};
   const bool is_one = names.size() == 1;
   return fmt::format(" In {}, {} lie{} as far as {}.", shape.name, and_list(std::move(names)),
-                     is_one ? "s" : "", shape.vertex_names[static_cast<std::size_t>(kept)]);
+                     is_one ? "s" : "", shape.vertex_names[kept]);
 }
 
 /// Says how a support point that is not in the simplex relates to it.
@@ -220,8 +220,7 @@ std::string news(const Story& story, const std::string& name) {
                      story.set_name(), story.plane());
 }
 
-/// Why a distance of 0 is one: P is O.
-/// "The distance is 1.2"; where scalars are compared each has an answer of its own.
+/// "The distance is 1.2", or, where scalars are compared, "In float the distance is 1.2".
 std::string distance_is(const Story& story, const std::string& distance) {
   return story.run.lesson.has_block(blocks::kScalars.name)
              ? fmt::format("In {} the distance is {}", name_of(story.run.lesson.scalar), distance)
@@ -460,7 +459,7 @@ void trail(const Story& story, FrameText& text) {
 
 namespace {
 
-/// A lesson that shows the slab is told by what each phase proves.
+/// The words of a lesson that shows the slab: they say what each phase proves.
 bool tells_slab(const Story& story) {
   const bool proves = story.knows.phase_is(gjk::Phase::closest) ||
                       story.knows.phase_is(gjk::Phase::support) ||

@@ -18,7 +18,7 @@ using gjk::Phase;
 using namespace rows;
 
 /// Two numbers that differ, with as many digits as that takes.
-std::array<std::string, 2> told_apart(const std::array<double, 2>& numbers) {
+std::array<std::string, 2> different_texts(const std::array<double, 2>& numbers) {
   std::array<std::string, 2> texts;
   constexpr int kAllDigits = 17;
   for (int digits = 4; digits <= kAllDigits && texts[0] == texts[1]; ++digits) {
@@ -62,7 +62,7 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
       return panel.fonts.width(type::kCodeBold, shown) <= half - kBetween;
     });
   };
-  // From its first digit that differs on a text has a line below it.
+  // A text is underlined from the first digit that differs.
   const auto underline = [&](const std::string& role, double right, const std::string& text,
                              const std::string& compared) {
     const std::u32string mine = code_points(text);
@@ -86,7 +86,7 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
         const std::array<double, 2> numbers = {value(columns[0]), value(columns[1])};
         const double most = std::max(std::abs(numbers[0]), std::abs(numbers[1]));
         differ = std::abs(numbers[0] - numbers[1]) > share * most;
-        if (differ && texts[0] == texts[1]) texts = told_apart(numbers);
+        if (differ && texts[0] == texts[1]) texts = different_texts(numbers);
       }
       for (std::string& text : texts) text = fitting(std::move(text));
     }
@@ -116,10 +116,9 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
   const int dimension = panel.run.lesson.dimension;
   const std::string_view axes = "xyz";
   for (int axis = 0; axis < dimension; ++axis)
-    coordinate(fmt::format("P.{}", axes[static_cast<std::size_t>(axis)]), Phase::closest, p, axis);
+    coordinate(fmt::format("P.{}", axes[axis]), Phase::closest, p, axis);
   for (int axis = 0; axis < dimension; ++axis)
-    coordinate(fmt::format("d.{}", axes[static_cast<std::size_t>(axis)]), Phase::direction, d,
-               axis);
+    coordinate(fmt::format("d.{}", axes[axis]), Phase::direction, d, axis);
   if (dimension == 2) {
     row("towards", known(Phase::direction), d, [](const RunColumn&, const Eigen::Vector3d& along) {
       return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";

@@ -33,7 +33,7 @@ namespace {
 
 const WideStep* same_step(const WideTrace& trace, const WideStep& step) {
   const int index = index_of_step(trace, step.iteration, step.phase);
-  return index < 0 ? nullptr : &trace.steps[static_cast<std::size_t>(index)];
+  return index < 0 ? nullptr : &trace.steps[index];
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ inline void look(Step& step, const std::vector<Point>& x, const std::vector<Poin
     const std::vector<Point>& shape = of_x ? x : y;
     Reach farthest{of_x, 0, -std::numeric_limits<double>::infinity()};
     for (int i = 0; i < static_cast<int>(shape.size()); ++i) {
-      const Point& vertex = shape[static_cast<std::size_t>(i)];
+      const Point& vertex = shape[i];
       const Reach reach{of_x, i, of_x ? into.dot(vertex - at.x) : into.dot(at.y - vertex)};
       if (reach.depth > farthest.depth) farthest = reach;
       if (reach.depth > rounding) step.reaches.push_back(reach);
@@ -85,7 +85,7 @@ inline void look(Step& step, const std::vector<Point>& x, const std::vector<Poin
 [[nodiscard]] inline Descent descend(const std::vector<Point>& x, const std::vector<Point>& y,
                                      int start_x, int start_y) {
   Descent out;
-  State state{x[static_cast<std::size_t>(start_x)], y[static_cast<std::size_t>(start_y)]};
+  State state{x[start_x], y[start_y]};
   while (state.stop == Stop::running) {
     Step slab{Phase::slab, {}, {}, {}, state, state};
     detail::look(slab, x, y);
@@ -100,11 +100,9 @@ inline void look(Step& step, const std::vector<Point>& x, const std::vector<Poin
     Step closer{Phase::closer, {}, {}, out.steps.back().reaches.front(), state, state};
     const Reach& c = closer.towards;
     if (c.of_x) {
-      closer.after.x =
-          gjkscope::closest_on_segment(state.y, state.x, x[static_cast<std::size_t>(c.vertex)]);
+      closer.after.x = gjkscope::closest_on_segment(state.y, state.x, x[c.vertex]);
     } else {
-      closer.after.y =
-          gjkscope::closest_on_segment(state.x, state.y, y[static_cast<std::size_t>(c.vertex)]);
+      closer.after.y = gjkscope::closest_on_segment(state.x, state.y, y[c.vertex]);
     }
     closer.after.phase = Phase::slab;
     ++closer.after.iteration;

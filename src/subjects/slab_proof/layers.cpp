@@ -43,15 +43,14 @@ void stage(SceneBuilder& scene) {
   if (shown.is(Phase::slab)) {
     for (const Reach& reach : shown.step->reaches) {
       const auto& shape = reach.of_x ? scene.positioned.x().world : scene.positioned.y().world;
-      scene.disk("slab.vertex", scene.at(shape[static_cast<std::size_t>(reach.vertex)]),
-                 kSimplexRadius);
+      scene.disk("slab.vertex", scene.at(shape[reach.vertex]), kSimplexRadius);
     }
   }
   if (shown.is(Phase::closer)) {
     const Reach& c = shown.step->towards;
     const Vector2d was = c.of_x ? shown.step->before.x : shown.step->before.y;
     const auto& shape = c.of_x ? scene.positioned.x().world : scene.positioned.y().world;
-    const Vector2d corner = in_plane(shape[static_cast<std::size_t>(c.vertex)]);
+    const Vector2d corner = in_plane(shape[c.vertex]);
     scene.line("simplex.edge", scene.at(was), scene.at(corner));
     scene.disk("slab.vertex", scene.at(corner), kSimplexRadius);
     scene.disk("slab.was", scene.at(was), kClosestRadius);

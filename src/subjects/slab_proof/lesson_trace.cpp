@@ -44,15 +44,14 @@ std::shared_ptr<const AlgorithmTrace> run_slab(const Lesson& lesson, const Posit
 
 std::string vertex_name(const Lesson& lesson, const Reach& reach) {
   const LessonShape& shape = reach.of_x ? lesson.x() : lesson.y();
-  return fmt::format("vertex {} of {}", shape.vertex_names[static_cast<std::size_t>(reach.vertex)],
-                     shape.name);
+  return fmt::format("vertex {} of {}", shape.vertex_names[reach.vertex], shape.name);
 }
 
 SlabTrace::SlabTrace(std::optional<Refusal> refused, Descent descended)
     : OutlineTrace(refused), descent(std::move(descended)) {}
 
 StepInfo SlabTrace::info(int index) const {
-  const Step& step = descent.steps[static_cast<std::size_t>(index)];
+  const Step& step = descent.steps[index];
   return {step.before.iteration, kPhases[static_cast<std::size_t>(step.phase)],
           step.phase == Phase::closer || step.after.stop != Stop::running};
 }
@@ -68,7 +67,7 @@ std::string_view SlabTrace::stop() const {
 }
 
 Json SlabTrace::step_json(const Lesson& lesson, int index) const {
-  const Step& step = descent.steps[static_cast<std::size_t>(index)];
+  const Step& step = descent.steps[index];
   Json out = {{"x", fields::point(step.after.x)}, {"y", fields::point(step.after.y)}};
   if (step.phase == Phase::slab) {
     out["in_the_slab"] = Json::array();

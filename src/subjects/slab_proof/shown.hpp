@@ -14,7 +14,7 @@ inline constexpr AskInfo kAskVertex{"slab-vertex", "which vertex lies deepest in
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(slab_told(run.algorithm_trace(frame))),
+        told(slab_trace(run.algorithm_trace(frame))),
         step(last_step_over(told.descent.steps, frame)),
         is_answer(frame.step >= told.steps()) {}
 

@@ -36,8 +36,8 @@ void slab(const Story& story, const Shown& shown, FrameText& text) {
 void closer(const Story& story, const Shown& shown, FrameText& text) {
   const Reach& c = shown.step->towards;
   const Body& body = c.of_x ? story.positioned.x() : story.positioned.y();
-  const bool is_vertex = (c.of_x ? shown.step->after.x : shown.step->after.y) ==
-                         in_plane(body.world[static_cast<std::size_t>(c.vertex)]);
+  const bool is_vertex =
+      (c.of_x ? shown.step->after.x : shown.step->after.y) == in_plane(body.world[c.vertex]);
   const std::string_view moving = c.of_x ? "x" : "y";
   const std::string_view other = c.of_x ? "y" : "x";
   text.caption = fmt::format(
@@ -84,8 +84,7 @@ void words(const Story& story, FrameText& text) {
 
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  const slab_proof::Step& step =
-      shown.told.descent.steps[static_cast<std::size_t>(story.frame.answering_step)];
+  const slab_proof::Step& step = shown.told.descent.steps[story.frame.answering_step];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskVertex.name), {}, {}});
   for (const Reach& reach : step.farthest) asked.choices.push_back(shown.name(reach));
   asked.choices.emplace_back("none: the slab is empty");

@@ -15,12 +15,12 @@ void faces(PanelBuilder& panel) {
   const std::vector<WideStep>& steps = panel.run.run(panel.frame).trace.steps;
   const bool tries = panel.knows.gradual;
   int step = panel.run.gjk_step(panel.frame);
-  while (step > 0 && steps[static_cast<std::size_t>(step)].phase != gjk::Phase::closest) --step;
+  while (step > 0 && steps[step].phase != gjk::Phase::closest) --step;
   const bool is_tested = step >= 0 && (tries || panel.knows.closest_point);
   const WideSimplex& simplex = is_tested
                                    ? state_before(panel.run.run(panel.frame).trace, step).simplex
                                    : panel.state.simplex;
-  const gjk::Face region = is_tested ? steps[static_cast<std::size_t>(step)].after.region : 0;
+  const gjk::Face region = is_tested ? steps[step].after.region : 0;
   panel.write("heading", panel.left, "Region", type::kHeading);
   panel.write("heading", panel.right, "conditions that hold", type::kHeading, Align::right);
   panel.y += rows::kRow;

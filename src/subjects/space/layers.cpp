@@ -45,11 +45,10 @@ Floor floor_of(const SceneBuilder& scene) {
 void shadow(SceneBuilder& scene, const Polyhedron& hull, const std::vector<Vector3d>& points,
             double z) {
   std::vector<Vector2d> below;
-  for (const int vertex : hull.vertices)
-    below.push_back(in_plane(points[static_cast<std::size_t>(vertex)]));
+  for (const int vertex : hull.vertices) below.push_back(in_plane(points[vertex]));
   std::vector<Point> corners;
   for (const int corner : convex_hull(below)) {
-    const Vector2d& at = below[static_cast<std::size_t>(corner)];
+    const Vector2d& at = below[corner];
     corners.push_back(scene.at(Vector3d(at.x(), at.y(), z)));
   }
   if (corners.size() > 2) scene.area("floor.shadow", corners);

@@ -106,8 +106,7 @@ RegionSolid::Value RegionSolid::compute(EffectGraph& graph, const LessonRun& run
   const bool is_testing = knows.gradual && knows.tests_reached >= 0;
   if (simplex.count < 4 || !(is_testing || knows.closest_point)) return {};
   const gjk::Face region =
-      is_testing ? knows.region_tests[static_cast<std::size_t>(knows.tests_reached)].region
-                 : run.state(frame).region;
+      is_testing ? knows.region_tests[knows.tests_reached].region : run.state(frame).region;
   Vector3d middle = Vector3d::Zero();
   for (int i = 0; i < 4; ++i) middle += 0.25 * simplex.vertices[i].w;
   double radius = 0.0;

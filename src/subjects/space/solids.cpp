@@ -21,7 +21,7 @@ class Walked {
     for (bool goes = true; goes;) {
       goes = false;
       const int at = from;
-      for (const int next : neighbours_[static_cast<std::size_t>(at)]) {
+      for (const int next : neighbours_[at]) {
         if (!(along(d, from, next) > 0.0)) continue;
         from = next;
         goes = true;
@@ -36,7 +36,7 @@ class Walked {
     while (out.size() < points_.size()) {
       int nearest = -1;
       double least = 2.0;
-      for (const int next : neighbours_[static_cast<std::size_t>(from)]) {
+      for (const int next : neighbours_[from]) {
         const double at_end = along(e, from, next);
         if (!(at_end > 0.0)) continue;
         const double behind = std::max(0.0, -along(d, from, next));
@@ -55,8 +55,7 @@ class Walked {
   /// How much farther `b` lies along d than `a`. Each point has one number, rounded or not, so a
   /// walk to ever larger ones ends.
   [[nodiscard]] double along(const Vector3d& d, int a, int b) const {
-    return gjk::dot(d, points_[static_cast<std::size_t>(b)]) -
-           gjk::dot(d, points_[static_cast<std::size_t>(a)]);
+    return gjk::dot(d, points_[b]) - gjk::dot(d, points_[a]);
   }
 
   const std::vector<Vector3d>& points_;
@@ -122,8 +121,7 @@ DifferenceSolid::Value DifferenceSolid::compute(EffectGraph& graph, const Lesson
     }
   }
   for (const gjk::VertexPair& pair : out.pairs) {
-    out.points.emplace_back(of_y[static_cast<std::size_t>(pair.y)] -
-                            of_x[static_cast<std::size_t>(pair.x)]);
+    out.points.emplace_back(of_y[pair.y] - of_x[pair.x]);
   }
   out.hull = hull_in_space(out.points);
   return out;

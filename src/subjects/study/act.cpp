@@ -33,7 +33,7 @@ std::vector<StudyFrame> study_frames_of(const Lesson& lesson) {
 }
 
 void study_frames(LessonRun& run, int index) {
-  const int last = last_step(run.lesson, run.runs[static_cast<std::size_t>(index)].trace);
+  const int last = last_step(run.lesson, run.runs[index].trace);
   const int count = static_cast<int>(study_frames_of(run.lesson).size());
   for (int i = 0; i < count; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
 }
@@ -59,9 +59,7 @@ Tick study_tick(const LessonRun& run, const Frame& frame) {
   constexpr std::array<std::string_view, 11> kLabels = {
       "shapes", "gap", "float",        "double", "error",       "errors",
       "times",  "",    "of the marks", "of all", "what to take"};
-  tick.label = stage == mark ? run.lesson.table.as<LessonStudy>()
-                                   ->marks[static_cast<std::size_t>(marks - 1)]
-                                   .configuration
+  tick.label = stage == mark ? run.lesson.table.as<LessonStudy>()->marks[marks - 1].configuration
                              : std::string(kLabels[static_cast<std::size_t>(stage)]);
   return tick;
 }

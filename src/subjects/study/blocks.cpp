@@ -46,9 +46,7 @@ void heights(PanelBuilder& panel, const RoundedPair::Value& found, StudyStage st
   for (const RoundedPair::Vertex& vertex : found.facing) {
     const LessonShape& shape = vertex.of_x ? panel.run.lesson.x() : panel.run.lesson.y();
     panel.write(vertex.of_x ? "shape.x.label" : "shape.y.label", panel.left,
-                fmt::format("{} of {}", shape.vertex_names[static_cast<std::size_t>(vertex.index)],
-                            shape.name),
-                type::kName);
+                fmt::format("{} of {}", shape.vertex_names[vertex.index], shape.name), type::kName);
     panel.write("body", column, height(vertex_in_world(found.exact, vertex).y()), type::kText,
                 Align::right);
     if (rounds) {

@@ -32,8 +32,7 @@ std::string error_words(const StudyDot& dot) {
 
 std::vector<StudyDot> introduced(const LessonStudy& study, int count) {
   std::vector<StudyDot> out;
-  for (int i = 0; i < count; ++i)
-    out.push_back(study.dot(study.marks[static_cast<std::size_t>(i)].configuration));
+  for (int i = 0; i < count; ++i) out.push_back(study.dot(study.marks[i].configuration));
   return out;
 }
 

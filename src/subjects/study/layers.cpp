@@ -29,7 +29,7 @@ constexpr double kRing = 9.0;        ///< Around what an inset enlarges.
 
 std::vector<Vector2d> corners_of(const std::vector<Vector2d>& points) {
   std::vector<Vector2d> out;
-  for (const int i : convex_hull(points)) out.push_back(points[static_cast<std::size_t>(i)]);
+  for (const int i : convex_hull(points)) out.push_back(points[i]);
   return out;
 }
 
@@ -201,8 +201,7 @@ class PairPicture {
 
   [[nodiscard]] const std::string& name_of(const RoundedPair::Vertex& vertex) const {
     const Lesson& lesson = scene_.run.lesson;
-    return (vertex.of_x ? lesson.x() : lesson.y())
-        .vertex_names[static_cast<std::size_t>(vertex.index)];
+    return (vertex.of_x ? lesson.x() : lesson.y()).vertex_names[vertex.index];
   }
 
   /// `side`: -1 for the left end, 1 for the right one.

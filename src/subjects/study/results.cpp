@@ -110,7 +110,7 @@ std::vector<bool> front_of(const std::vector<Cost>& costs) {
     const auto plainest = std::find_if(costs.begin(), costs.end(), [&](const Cost& cost) {
       return is_as_fast(cost) && cost.error <= most;
     });
-    out[static_cast<std::size_t>(plainest - costs.begin())] = true;
+    out[plainest - costs.begin()] = true;
     if (plainest->error == 0.0) return out;
     wanted = plainest->error / kSameError;
   }

@@ -41,7 +41,7 @@ std::vector<Vertex> facing_edges(const PositionedRun& run, const Vertex& a, cons
   if (a.of_x != b.of_x || a.index == b.index || simplex.count != 2) return {};
   std::vector<Vertex> out;
   for (int i = 0; i < 2; ++i) {
-    const gjk::VertexPair pair = simplex.vertices[static_cast<std::size_t>(i)].pair;
+    const gjk::VertexPair pair = simplex.vertices[i].pair;
     out.push_back({!a.of_x, a.of_x ? pair.y : pair.x});
   }
   if (out[0].index == out[1].index) return {};
@@ -80,7 +80,7 @@ RoundedPair::Value RoundedPair::compute(EffectGraph&, const LessonRun& run, cons
 
 Vector2d vertex_in_world(const PositionedRun& run, const RoundedPair::Vertex& vertex) {
   const Body& body = vertex.of_x ? run.x() : run.y();
-  return in_plane(body.world[static_cast<std::size_t>(vertex.index)]);
+  return in_plane(body.world[vertex.index]);
 }
 
 double spacing_of_floats(double value) {

@@ -22,7 +22,7 @@ struct RoundedPair {
     Eigen::Vector2d other;  ///< The point of the other shape that is closest.
     double length = 0.0;
   };
-  /// The same vertex with the shapes as they are, and as floats keep them.
+  /// One vertex before and after rounding to float.
   struct End {
     Vertex of;
     Gap exact;

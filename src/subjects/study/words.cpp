@@ -158,7 +158,7 @@ void time_axis(const LessonStudy& study, FrameText& text) {
 }
 
 void mark(const LessonStudy& study, const StudyFrame& frame, FrameText& text) {
-  const StudyMark& shown = study.marks[static_cast<std::size_t>(frame.marks - 1)];
+  const StudyMark& shown = study.marks[frame.marks - 1];
   const StudyDot& dot = study.dot(shown.configuration);
   const StudyDot& beside = compared_with(study, frame.marks);
   text.caption = fmt::format(
@@ -219,8 +219,7 @@ std::string ratio_words(double ratio) {
 void study_question(const Story& story, FrameText& text) {
   const LessonStudy& study = *story.run.lesson.table.as<LessonStudy>();
   const StudyFrame before = *study_frame(story.run, story.frame);
-  const std::string& ask =
-      story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  const std::string& ask = story.run.asked(story.frame).ask;
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
   if (ask == "overlap") {
     const RoundedPair::Value& pair = story.effects.get<RoundedPair>(story.frame);
@@ -231,7 +230,7 @@ void study_question(const Story& story, FrameText& text) {
     text.detail = "yes  ·  no";
     return;
   }
-  const StudyMark& next = study.marks[static_cast<std::size_t>(before.marks)];
+  const StudyMark& next = study.marks[before.marks];
   const StudyDot& dot = study.dot(next.configuration);
   const StudyDot& with = compared_with(study, before.marks + 1);
   for (const double ratio : kRatios) asked.choices.push_back(ratio_words(ratio));

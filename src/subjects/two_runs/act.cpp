@@ -52,13 +52,13 @@ struct Shown {
   /// The frame of one of the runs: at the start and the answer its end.
   [[nodiscard]] Frame frame_of(std::size_t which) const {
     const int end = static_cast<int>(both.runs[which].runs[0].trace.steps.size()) - 1;
-    return {.step = is_answer ? end : both.shown[static_cast<std::size_t>(step)].at[which]};
+    return {.step = is_answer ? end : both.shown[step].at[which]};
   }
   /// The second run ended in a step before the frame's.
   [[nodiscard]] bool second_has_ended() const {
     if (is_answer) return false;
     const std::vector<WideStep>& steps = both.runs[1].runs[0].trace.steps;
-    const TwoRunsStep& now = both.shown[static_cast<std::size_t>(step)];
+    const TwoRunsStep& now = both.shown[step];
     if (now.at[1] < 0 || static_cast<std::size_t>(now.at[1]) + 1 != steps.size()) return false;
     return steps.back().iteration < now.iteration || steps.back().phase < now.phase;
   }
@@ -282,7 +282,7 @@ void question(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   if (shown.is_answer) return ask_line(shown, text);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskWrong.name), {}, {}});
-  const TwoRunsStep& step = shown.both.shown[static_cast<std::size_t>(shown.both.parting)];
+  const TwoRunsStep& step = shown.both.shown[shown.both.parting];
   Phase wrong = step.phase == Phase::drop ? Phase::closest : step.phase;
   // Along d = 0 there is nothing to look for: the run is over.
   if (wrong == Phase::direction && shown.both.runs[1].state(shown.frame_of(1)).d.isZero())

@@ -75,7 +75,7 @@ Phase blamed_phase(const judging::Finding& wrong, const std::array<const WideTra
   for (std::size_t k = 0; k < 2; ++k) {
     const int at = index_of_step(*traces[k], wrong.iteration, Phase::closest);
     if (at < 0) return phase;
-    p[k] = traces[k]->steps[static_cast<std::size_t>(at)].after.p;
+    p[k] = traces[k]->steps[at].after.p;
   }
   constexpr double kSame = 1e-9;
   return (p[0] - p[1]).norm() > kSame * (p[0].norm() + p[1].norm()) ? Phase::closest : phase;
@@ -100,7 +100,7 @@ void find_shown(TwoRunsTrace& out) {
       const bool is_blamed = blamed && blamed->iteration == iteration && wrong_phase == phase;
       if (!has[0] && !has[1] && !is_blamed) continue;
       const auto step_of = [&](std::size_t k) -> const WideStep& {
-        return traces[k]->steps[static_cast<std::size_t>(step.at[k])];
+        return traces[k]->steps[step.at[k]];
       };
       const bool parts =
           out.parting < 0 &&
@@ -171,7 +171,7 @@ const Algorithm kTwoRunsAlgorithm{
     .name = "two-runs", .phases = kPhases, .answers = kAnswers, .values = kValues, .run = run_both};
 
 StepInfo TwoRunsTrace::info(int step) const {
-  const TwoRunsStep& at = shown[static_cast<std::size_t>(step)];
+  const TwoRunsStep& at = shown[step];
   return {at.iteration, name_of(at.phase), step == parting};
 }
 
@@ -200,9 +200,8 @@ Json TwoRunsTrace::json(const Lesson& lesson, const PositionedRun&) const {
     each["iteration"] = step.iteration;
     each["phase"] = name_of(step.phase);
     for (std::size_t k = 0; k < 2; ++k) {
-      const WideState& state =
-          step.at[k] < 0 ? runs[k].runs[0].trace.initial
-                         : runs[k].runs[0].trace.steps[static_cast<std::size_t>(step.at[k])].after;
+      const WideState& state = step.at[k] < 0 ? runs[k].runs[0].trace.initial
+                                              : runs[k].runs[0].trace.steps[step.at[k]].after;
       Json side;
       side["P"] = point(state.p);
       if (step.phase >= Phase::direction) side["d"] = point(state.d);
@@ -212,7 +211,7 @@ Json TwoRunsTrace::json(const Lesson& lesson, const PositionedRun&) const {
     out["steps"].push_back(each);
   }
   if (parting >= 0) {
-    const TwoRunsStep& at = shown[static_cast<std::size_t>(parting)];
+    const TwoRunsStep& at = shown[parting];
     out["they_part"] = fmt::format("iteration {}, {}", at.iteration, name_of(at.phase));
   }
   if (judgement && judgement->wrong) out["wrong"] = judgement->wrong->what;

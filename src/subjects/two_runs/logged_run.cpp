@@ -38,8 +38,7 @@ class LoggedRun {
   using Pairs = std::vector<gjk::VertexPair>;
 
   [[nodiscard]] WideVertex vertex(gjk::VertexPair pair) const {
-    return {log_.y[static_cast<std::size_t>(pair.y)] - log_.x[static_cast<std::size_t>(pair.x)],
-            pair};
+    return {log_.y[pair.y] - log_.x[pair.x], pair};
   }
 
   void add(Phase phase) {
@@ -92,7 +91,7 @@ class LoggedRun {
     for (int i = 0; i < simplex.count; ++i) {
       const auto kept = std::find(it.kept.begin(), it.kept.end(), simplex.vertices[i].pair);
       const auto at = static_cast<std::size_t>(kept - it.kept.begin());
-      simplex.weights[i] = of_all    ? it.weights[static_cast<std::size_t>(i)]
+      simplex.weights[i] = of_all    ? it.weights[i]
                            : of_kept ? (at < it.kept.size() ? it.weights[at] : 0.0)
                                      : nearest.simplex.weights[i];
       state_.p += simplex.weights[i] * simplex.vertices[i].w;
@@ -144,8 +143,8 @@ class LoggedRun {
     result.distance_sq = result.distance * result.distance;
     for (int i = 0; i < state_.simplex.count; ++i) {
       const gjk::VertexPair pair = state_.simplex.vertices[i].pair;
-      result.x += state_.simplex.weights[i] * log_.x[static_cast<std::size_t>(pair.x)];
-      result.y += state_.simplex.weights[i] * log_.y[static_cast<std::size_t>(pair.y)];
+      result.x += state_.simplex.weights[i] * log_.x[pair.x];
+      result.y += state_.simplex.weights[i] * log_.y[pair.y];
     }
   }
 

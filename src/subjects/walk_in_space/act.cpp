@@ -10,7 +10,7 @@ namespace gjkscope::space_walks {
 namespace {
 
 void frames(LessonRun& run, int index) {
-  const int steps = run.algorithm_traces[static_cast<std::size_t>(index)]->steps();
+  const int steps = run.algorithm_traces[index]->steps();
   if (!run.lesson.path_of_shapes) return add_algorithm_frames(run, index);
   run.frames.push_back({.run = index, .step = steps > 0 ? steps : -1});
   if (steps > 0 && index + 1 == static_cast<int>(run.runs.size()))
@@ -40,7 +40,7 @@ Frame asking(const LessonRun& run, const Frame& frame) {
 }
 
 std::string position(const LessonRun& run, int index) {
-  const Frame& frame = run.frames[static_cast<std::size_t>(index)];
+  const Frame& frame = run.frames[index];
   const Shown shown(run, frame);
   if (is_growth(run, frame)) return fmt::format("outcome · {} of {}", index + 1, run.frames.size());
   if (shown.is_path) return position_on_path(run, index);

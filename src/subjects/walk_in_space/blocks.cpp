@@ -39,7 +39,7 @@ void on_path(PanelBuilder& panel, const Shown& shown) {
   std::array<std::array<int, 2>, 3> steps = {};
   for (int i = 0; i < over; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const SpaceWalk& told = space_walk_told(*panel.run.algorithm_traces[at]);
+    const SpaceWalk& told = space_walk_trace(*panel.run.algorithm_traces[at]);
     const std::array<int, 3> here = {told.all.empty() ? 0 : told.pairs(),
                                      panel.run.runs[at].trace.result.iterations, told.cold};
     for (std::size_t k = 0; k < here.size(); ++k) steps[k] = {here[k], steps[k][1] + here[k]};

@@ -35,7 +35,7 @@ void way_on(SceneBuilder& scene, const Shown& shown) {
                                cells::radius_of(scene.positioned.bodies[step.body].world));
   for (const std::size_t body : {0, 1}) {
     if (step.next[body] == step.at[body]) continue;
-    const Feature& next = shown.told.features[body][static_cast<std::size_t>(step.next[body])];
+    const Feature& next = shown.told.features[body][step.next[body]];
     cells::draw_neighbour(scene, body, next);
     if (next.kind() == cells::Kind::face)
       scene.add("cell.beside", Polyline{cells::corners_of(scene, body, next), true});
@@ -62,8 +62,7 @@ void stage(SceneBuilder& scene) {
   region(scene, shown, true);
   const SpaceWalk::Step& step = shown.step();
   for (const std::size_t body : {0, 1})
-    cells::draw_feature(scene, body,
-                        shown.told.features[body][static_cast<std::size_t>(step.at[body])]);
+    cells::draw_feature(scene, body, shown.told.features[body][step.at[body]]);
   if (shown.index < 0) return;
   if (shown.is_step() && !shown.asks && step.moves()) way_on(scene, shown);
   if (shown.told.overlaps() && step.distance() == 0.0)

@@ -37,7 +37,7 @@ struct Numbering {
     const int edges = static_cast<int>(body.edges.size());
     if (number < faces) return {v_clip::Kind::face, number};
     if (number < faces + edges) return {v_clip::Kind::edge, number - faces};
-    return {v_clip::Kind::vertex, body.vertices[static_cast<std::size_t>(number - faces - edges)]};
+    return {v_clip::Kind::vertex, body.vertices[number - faces - edges]};
   }
 };
 
@@ -96,10 +96,9 @@ void tell(SpaceWalk& told, const v_clip::Trace& trace, const std::array<Numberin
         if (is_behind || beyond < 0) return is_behind && beyond < 0;
         if (at.is_region) return beyond == by[at.body].number(step.record.tests.back().beyond);
         // The boundary between both, or a side of a face that the next vertex ends.
-        const std::vector<int>& side = features[static_cast<std::size_t>(beyond)].vertices;
-        const std::vector<int>& next =
-            features[static_cast<std::size_t>(at.next[at.body])].vertices;
-        return side.size() < features[static_cast<std::size_t>(at.at[at.body])].vertices.size() &&
+        const std::vector<int>& side = features[beyond].vertices;
+        const std::vector<int>& next = features[at.next[at.body]].vertices;
+        return side.size() < features[at.at[at.body]].vertices.size() &&
                std::all_of(next.begin(), next.end(), [&](int vertex) {
                  return std::find(side.begin(), side.end(), vertex) != side.end();
                });
@@ -125,9 +124,9 @@ std::shared_ptr<const AlgorithmTrace> run_space_walk(const Lesson& lesson, const
   const gjk::VertexPair first = lesson.options.start.pairs[0];
   std::array<std::vector<int>, 2> from = {{{first.x}, {first.y}}};
   if (lesson.warm_start && before != nullptr && before->steps() > 0) {
-    const SpaceWalk& last = space_walk_told(*before);
+    const SpaceWalk& last = space_walk_trace(*before);
     for (const std::size_t body : {0, 1})
-      from[body] = last.features[body][static_cast<std::size_t>(last.all.back().at[body])].vertices;
+      from[body] = last.features[body][last.all.back().at[body]].vertices;
   }
   const v_clip::Query query{x, y};
   const v_clip::State start = v_clip::start(query, by[0].feature(found(told->features[0], from[0])),
@@ -145,7 +144,7 @@ std::shared_ptr<const AlgorithmTrace> run_space_walk(const Lesson& lesson, const
 }  // namespace
 
 StepInfo SpaceWalk::info(int step) const {
-  const Step& at = all[static_cast<std::size_t>(step)];
+  const Step& at = all[step];
   return {at.number, kPhases[at.is_region ? 1 : 0], at.moves() || step + 1 == steps()};
 }
 
@@ -157,7 +156,7 @@ double SpaceWalk::answer(std::string_view name) const {
 Json SpaceWalk::json(const Lesson& lesson, const PositionedRun&) const {
   Json out = {{"steps", Json::array()}};
   for (int i = 0; i < steps(); ++i) {
-    const Step& at = all[static_cast<std::size_t>(i)];
+    const Step& at = all[i];
     Json step = {{"phase", info(i).phase},
                  {"iteration", at.number},
                  {"x", name(lesson, 0, at.at[0])},
@@ -186,9 +185,7 @@ Json SpaceWalk::json(const Lesson& lesson, const PositionedRun&) const {
 std::string SpaceWalk::name(const Lesson& lesson, std::size_t body, int feature) const {
   const LessonShape& shape = lesson.bodies[body];
   if (feature < 0) return shape.name;
-  return fmt::format("{} of {}",
-                     cells::name_of(features[body][static_cast<std::size_t>(feature)], shape),
-                     shape.name);
+  return fmt::format("{} of {}", cells::name_of(features[body][feature], shape), shape.name);
 }
 
 const Algorithm kWalkInSpaceAlgorithm{.name = "lin-canny-in-space",

@@ -3,10 +3,9 @@
 // each pair of features that it looks at, and for the last pair one for each of its two regions.
 
 #include <array>
-#include <cmath>
 
-#include "gjk/vector.hpp"
 #include "lesson/algorithm.hpp"
+#include "outlines/polyhedron.hpp"
 #include "outlines/v_clip.hpp"
 #include "run/run.hpp"
 #include "subjects/feature_regions/features.hpp"
@@ -29,10 +28,7 @@ class SpaceWalk final : public AlgorithmTrace {
     std::size_t body = 0;    ///< The one whose feature the decision is about.
     int border = -1;         ///< The border of its region that the other's point is beyond, or on.
     [[nodiscard]] bool moves() const { return next != at; }
-    [[nodiscard]] double distance() const {
-      const Eigen::Vector3d way = points[1] - points[0];
-      return std::sqrt(gjk::dot(way, way));
-    }
+    [[nodiscard]] double distance() const { return length(points[1] - points[0]); }
   };
 
   [[nodiscard]] int steps() const override { return static_cast<int>(all.size()); }
@@ -45,10 +41,10 @@ class SpaceWalk final : public AlgorithmTrace {
   /// "face KLM of Y"; of the body itself its name.
   [[nodiscard]] std::string name(const Lesson& lesson, std::size_t body, int feature) const;
   [[nodiscard]] const cells::Feature& feature(const Step& step) const {
-    return features[step.body][static_cast<std::size_t>(step.at[step.body])];
+    return features[step.body][step.at[step.body]];
   }
   [[nodiscard]] const cells::Border& border(const Step& step) const {
-    return feature(step).borders[static_cast<std::size_t>(step.border)];
+    return feature(step).borders[step.border];
   }
   /// How far the other's point lies beyond this border.
   [[nodiscard]] double beyond(const Step& step) const {
@@ -61,7 +57,7 @@ class SpaceWalk final : public AlgorithmTrace {
 };
 
 /// Only for traces of runs of an act that shows this algorithm.
-[[nodiscard]] inline const SpaceWalk& space_walk_told(const AlgorithmTrace& trace) {
+[[nodiscard]] inline const SpaceWalk& space_walk_trace(const AlgorithmTrace& trace) {
   return static_cast<const SpaceWalk&>(trace);
 }
 

@@ -23,7 +23,7 @@ inline constexpr AskInfo kAskPairs{"pairs-in-space", "how many pairs the walk lo
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(space_walk_told(run.algorithm_trace(frame))),
+        told(space_walk_trace(run.algorithm_trace(frame))),
         is_path(run.lesson.path_of_shapes.has_value()),
         asks(frame.question >= 0),
         is_answer(frame.step >= told.steps() && !asks),
@@ -38,16 +38,14 @@ struct Shown {
   int index;  ///< -1: the start, or there are no steps.
 
   /// The step, at the start the first one; only where there are steps.
-  [[nodiscard]] const SpaceWalk::Step& step() const {
-    return told.all[static_cast<std::size_t>(std::max(index, 0))];
-  }
-  /// A step is told, and it is neither the start nor the answer.
+  [[nodiscard]] const SpaceWalk::Step& step() const { return told.all[std::max(index, 0)]; }
+  /// True when the frame shows a step, and neither the start nor the answer.
   [[nodiscard]] bool is_step() const { return index >= 0 && !is_answer; }
   /// "face KLM"; of the body itself its name.
   [[nodiscard]] std::string short_name(std::size_t body, int feature) const {
     const LessonShape& shape = lesson.bodies[body];
     if (feature < 0) return shape.name;
-    return cells::name_of(told.features[body][static_cast<std::size_t>(feature)], shape);
+    return cells::name_of(told.features[body][feature], shape);
   }
   /// "face KLM of Y"
   [[nodiscard]] std::string name(std::size_t body, int feature) const {

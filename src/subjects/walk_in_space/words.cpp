@@ -158,11 +158,8 @@ void offer(const Story& story, const Shown& shown, std::size_t body, int feature
   const std::string name = shown.name(body, feature);
   if (std::find(asked.choices.begin(), asked.choices.end(), name) != asked.choices.end()) return;
   asked.choices.push_back(name);
-  const std::vector<int>& vertices =
-      shown.told.features[body][static_cast<std::size_t>(feature)].vertices;
-  const auto at = [&](int vertex) {
-    return story.positioned.bodies[body].world[static_cast<std::size_t>(vertex)];
-  };
+  const std::vector<int>& vertices = shown.told.features[body][feature].vertices;
+  const auto at = [&](int vertex) { return story.positioned.bodies[body].world[vertex]; };
   asked.spots.emplace_back();
   if (vertices.size() < 3)
     asked.spots.back().emplace(ViewKind::world, at(vertices.front()), at(vertices.back()));
@@ -174,10 +171,10 @@ void question(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   const SpaceWalk& told = shown.told;
   FrameQuestion& asked = text.question.emplace();
-  asked.ask = story.run.lesson.questions[static_cast<std::size_t>(story.frame.question)].ask;
+  asked.ask = story.run.asked(story.frame).ask;
   if (asked.ask == kAskPairs.name) {
     asked.choices = {"one", "two", "three or more"};
-    asked.answer = asked.choices[static_cast<std::size_t>(std::min(told.pairs(), 3) - 1)];
+    asked.answer = asked.choices[std::min(told.pairs(), 3) - 1];
     text.caption = "Question: the bodies moved a little. How many pairs does the walk look at now?";
     return;
   }
@@ -186,7 +183,7 @@ void question(const Story& story, FrameText& text) {
   const int from = step.at[body];
   const int to = shown.is_path ? told.all.back().at[body] : step.next[body];
   if (shown.is_path) offer(story, shown, body, from, asked);
-  for (const cells::Border& border : told.features[body][static_cast<std::size_t>(from)].borders)
+  for (const cells::Border& border : told.features[body][from].borders)
     if (border.beyond >= 0) offer(story, shown, body, border.beyond, asked);
   if (shown.is_path || to != from) offer(story, shown, body, to, asked);
   if (!shown.is_path) {

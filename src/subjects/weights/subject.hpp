@@ -20,7 +20,7 @@ extern const Layer kProjection;
 extern const Layer kUnitVector;
 extern const Layer kParts;
 
-/// P and its line, but where frames measure weights along a path: it would lie on them.
+/// Whether P and its line are drawn. They would cover weights that are measured along a path.
 [[nodiscard]] bool shows_closest_point(const SceneBuilder& scene);
 
 }  // namespace layers

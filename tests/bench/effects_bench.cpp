@@ -1,20 +1,41 @@
-#include "survey/effects_cost.hpp"
+// The cost of effects: the frames of each lesson, with each effect and without. An argument: the id
+// of one lesson.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/decimal.hpp"
 #include "frames/frame.hpp"
+#include "shipped_lessons.hpp"
+#include "study/interleave.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
 namespace {
 
+constexpr double kSeconds = 1.5;  // of timing a lesson, about
 constexpr std::size_t kLeastRepetitions = 5;
 constexpr std::size_t kMostRepetitions = 201;
+
+struct EffectCost {
+  std::string lesson;
+  std::string effect;  ///< Empty in the last row of a lesson, for all that nothing calls for.
+  std::string off;     ///< Things taken away to be without it: "hull in a view, block bounds".
+  int frames = 0;
+  long pulls = 0;           ///< How often the frames ask for it, and
+  long runs = 0;            ///< how often it is computed for them.
+  long pulls_off = 0;       ///< Not 0: the lesson cannot be without it, and there is no ratio.
+  double share = 0.0;       ///< The share of the frames' time spent computing it and what it pulls.
+  int repetitions = 0;      ///< Repetitions of the timing. Without any the rest is 0.
+  study::Quartiles ns;      ///< Per frame, with it.
+  study::Quartiles ns_off;  ///< Without it.
+  study::Quartiles ratio;   ///< With it to without, repetition by repetition.
+};
 
 /// Something of a lesson that may call for effects: an effect named in a view, or a panel block.
 struct Caller {
@@ -42,7 +63,7 @@ LessonRun without(LessonRun run, const Caller& caller) {
   if (caller.view < 0) {
     std::erase(run.lesson.panel, caller.block);
   } else {
-    std::erase(run.lesson.views[static_cast<std::size_t>(caller.view)].effects, caller.effect);
+    std::erase(run.lesson.views[caller.view].effects, caller.effect);
   }
   return run;
 }
@@ -87,10 +108,12 @@ study::Contestant contestant(LessonRun run, const Fonts& fonts) {
   return out;
 }
 
-}  // namespace
-
-std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts, double seconds,
-                                     const std::function<bool()>& go_on) {
+/// Times how long the frames of a lesson take to build (layout, words and marks; painting them
+/// comes after and does not know of effects). For each effect that is called for, with it and
+/// without all that calls for it. The last row times the lesson against a copy of itself: how far
+/// the effects that nothing calls for, which are never computed, are from costing nothing, and how
+/// large the noise is.
+std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts) {
   using Clock = std::chrono::steady_clock;
   EffectGraph effects(run);
   const Clock::time_point begin = Clock::now();
@@ -108,7 +131,6 @@ std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts, d
   for (const EffectInfo* info : registered_effects()) {
     const EffectCount count = effects.count(info->name);
     if (count.pulls == 0) continue;
-    if (!go_on()) return {};
     EffectCost row;
     row.effect = info->name;
     row.pulls = count.pulls;
@@ -120,14 +142,12 @@ std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts, d
   add({}, run);
 
   const double each = once.count() * static_cast<double>(contestants.size());
-  const auto wanted = static_cast<std::size_t>(seconds / each);
-  const std::vector<study::Timing> timings =
-      study::interleave(contestants, run.frames.size(),
-                        std::clamp(wanted, kLeastRepetitions, kMostRepetitions), go_on);
+  const auto wanted = static_cast<std::size_t>(kSeconds / each);
+  const std::vector<study::Timing> timings = study::interleave(
+      contestants, run.frames.size(), std::clamp(wanted, kLeastRepetitions, kMostRepetitions));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EffectCost& row = rows[i];
     row.repetitions = static_cast<int>(timings[0].ns.size());
-    if (row.repetitions == 0) return {};
     row.ns = study::quartiles(timings[0].ns);
     if (row.pulls_off > 0) continue;
     row.ns_off = study::quartiles(timings[i + 1].ns);
@@ -136,39 +156,33 @@ std::vector<EffectCost> effects_cost(const LessonRun& run, const Fonts& fonts, d
   return rows;
 }
 
-std::string effects_table(const std::vector<EffectCost>& rows) {
-  if (rows.empty()) return "Nothing was measured.\n";
-  std::string out = fmt::format(
+void print_head() {
+  fmt::print(
       "Building the frames of a lesson with each effect and without what calls for it. ratio: with "
       "to without, median and quartiles\nof interleaved repetitions. The line without a name: the "
       "lesson against itself; effects that nothing calls for are never computed.\n\n"
       "{:<24} {:<21} {:>6} {:>6} {:>9} {:>6}  {:<13}  {}\n",
       "lesson", "effect", "pulls", "runs", "a frame", "ratio", "quartiles", "without");
+}
+
+void print(const std::vector<EffectCost>& rows) {
   for (const EffectCost& row : rows) {
     const bool has_ratio = row.ratio.median > 0.0;
-    out += fmt::format("{:<24} {:<21} {:>6} {:>6} {:>9} {:>6}  {:<13}  {}\n", row.lesson,
-                       row.effect.empty() ? "(all others)" : row.effect, row.pulls, row.runs,
-                       time_text(row.ns.median),
-                       has_ratio ? fmt::format("{:.3f}", row.ratio.median) : "",
-                       has_ratio ? fmt::format("{:.3f}-{:.3f}", row.ratio.low, row.ratio.high) : "",
-                       has_ratio ? row.off : "its words call for it, too");
+    fmt::print("{:<24} {:<21} {:>6} {:>6} {:>9} {:>6}  {:<13}  {}\n", row.lesson,
+               row.effect.empty() ? "(all others)" : row.effect, row.pulls, row.runs,
+               time_text(row.ns.median), has_ratio ? fmt::format("{:.3f}", row.ratio.median) : "",
+               has_ratio ? fmt::format("{:.3f}-{:.3f}", row.ratio.low, row.ratio.high) : "",
+               has_ratio ? row.off : "its words call for it, too");
   }
-  return out;
 }
 
-std::string effects_csv(const std::vector<EffectCost>& rows) {
-  std::string out =
-      "lesson,effect,frames,pulls,runs,pulls_off,share,repetitions,ns,ns_low,ns_high,ns_off,"
-      "ns_off_low,ns_off_high,ratio,ratio_low,ratio_high,off\n";
-  const auto quartiles = [](const study::Quartiles& q) {
-    return q.median > 0.0 ? fmt::format("{},{},{}", q.median, q.low, q.high) : ",,";
-  };
-  for (const EffectCost& row : rows) {
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", row.lesson, row.effect,
-                       row.frames, row.pulls, row.runs, row.pulls_off, row.share, row.repetitions,
-                       quartiles(row.ns), quartiles(row.ns_off), quartiles(row.ratio), row.off);
-  }
-  return out;
-}
-
+}  // namespace
 }  // namespace gjkscope
+
+int main(int count, char** arguments) {
+  using namespace gjkscope;
+  const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
+  print_head();
+  for (const Lesson& lesson : bench::shipped_lessons())
+    if (count == 1 || lesson.id == arguments[1]) print(effects_cost(run_lesson(lesson), fonts));
+}

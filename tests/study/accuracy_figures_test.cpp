@@ -1,4 +1,4 @@
-#include "survey/accuracy_figures.hpp"
+#include "study/accuracy_figures.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -18,8 +18,8 @@ struct ModelTimes {
   GrowthTimes times;  ///< Medians, of processor time.
 };
 
-/// One entry; none for a lesson of another granularity, and when `go_on` said no. All pairs of
-/// large outlines would take minutes: a share of the segments of X is looked at, and the time
+/// One entry; none for a lesson of another granularity, or if `go_on` said no. Comparing all pairs
+/// of large outlines would take minutes: only a share of X's segments is compared, and the time is
 /// multiplied.
 [[nodiscard]] std::vector<ModelTimes> model_times(
     const Lesson& lesson, int turns, const std::function<bool()>& go_on = [] { return true; });

@@ -1,4 +1,4 @@
-#include "survey/accuracy_figures.hpp"
+#include "study/accuracy_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -89,7 +89,7 @@ class Figures {
   }
 
  private:
-  /// Error against time of one family, its front numbered and told of in a list.
+  /// Error against time of one family, its front numbered and listed.
   [[nodiscard]] Figure front(const RowList& rows) const {
     std::vector<StudyDot> dots;
     for (const Row* row : rows) dots.push_back(dot_of(*row));

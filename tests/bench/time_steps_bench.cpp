@@ -1,11 +1,16 @@
-#include "survey/time_steps.hpp"
+// The cost of time steps: the state of scenes with a clock against the size of the step. An
+// argument: the id of one lesson.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "base/decimal.hpp"
+#include "shipped_lessons.hpp"
+#include "study/interleave.hpp"
 #include "subjects/balance/balance.hpp"
 #include "subjects/balance/table.hpp"
 #include "subjects/study/results.hpp"
@@ -16,14 +21,29 @@ namespace {
 
 using study::Contestant;
 
+constexpr std::size_t kRepetitions = 15;
+
+/// A step of the simulation of a beam (subjects/balance/balance.hpp), or between the positions of
+/// shapes that move.
+struct TimeStepCost {
+  std::string lesson;
+  double step = 0.0;        ///< Seconds.
+  bool is_shown = false;    ///< It is the lesson's own.
+  double error = 0.0;       ///< Error of a beam's angle at the lesson's moments, the largest over
+                            ///< its runs, in radians, against steps of kFinestStep. Of a motion:
+                            ///< of the place of a vertex at the moments that the coarsest step
+                            ///< shares with the others, in the world's unit, against the finest.
+  double iterations = 0.0;  ///< On average over the runs of a motion,
+  double cold_iterations = 0.0;  ///< and when each run starts anew.
+  study::Quartiles ns;           ///< For each second that passes in the scene.
+};
+
+inline constexpr double kFinestStep = 0x1p-18;
+
 std::vector<TimeStepCost> timed(std::vector<TimeStepCost> rows,
-                                const std::vector<Contestant>& contestants, double seconds,
-                                int repetitions, const std::function<bool()>& go_on) {
-  const std::vector<study::Timing> timings =
-      study::interleave(contestants, 1, static_cast<std::size_t>(std::max(repetitions, 1)), go_on);
+                                const std::vector<Contestant>& contestants, double seconds) {
+  const std::vector<study::Timing> timings = study::interleave(contestants, 1, kRepetitions);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (timings[i].ns.empty()) return {};
-    rows[i].repetitions = static_cast<int>(timings[i].ns.size());
     const study::Quartiles all = study::quartiles(timings[i].ns);
     rows[i].ns = {all.low / seconds, all.median / seconds, all.high / seconds};
   }
@@ -31,8 +51,7 @@ std::vector<TimeStepCost> timed(std::vector<TimeStepCost> rows,
 }
 
 /// The beams of a lesson: one for each run whose simplex is a segment.
-std::vector<TimeStepCost> beams(const Lesson& lesson, int repetitions,
-                                const std::function<bool()>& go_on) {
+std::vector<TimeStepCost> beams(const Lesson& lesson) {
   const LessonRun run = run_lesson(lesson);
   EffectGraph effects(run);
   struct BeamScene {
@@ -58,7 +77,6 @@ std::vector<TimeStepCost> beams(const Lesson& lesson, int repetitions,
   std::vector<Contestant> contestants;
   if (scenes.empty()) return rows;
   for (double step = 0x1p-4; step >= 0x1p-14; step /= 4.0) {
-    if (!go_on()) return {};
     TimeStepCost row;
     row.lesson = lesson.id;
     row.step = step;
@@ -79,8 +97,7 @@ std::vector<TimeStepCost> beams(const Lesson& lesson, int repetitions,
                            },
                            {}});
   }
-  return timed(std::move(rows), contestants, time.seconds * static_cast<double>(scenes.size()),
-               repetitions, go_on);
+  return timed(std::move(rows), contestants, time.seconds * static_cast<double>(scenes.size()));
 }
 
 double average_iterations(const LessonRun& run) {
@@ -113,8 +130,7 @@ double place_error(const LessonRun& run, const LessonRun& finest) {
 }
 
 /// Steps twice as coarse as the lesson's up to 16 times as fine.
-std::vector<TimeStepCost> motions(const Lesson& lesson, int repetitions,
-                                  const std::function<bool()>& go_on) {
+std::vector<TimeStepCost> motions(const Lesson& lesson) {
   const int own = lesson.path_of_shapes->frames - 1;
   const double seconds = *lesson.path_of_shapes->seconds;
   constexpr int kFiner = 16;
@@ -124,7 +140,6 @@ std::vector<TimeStepCost> motions(const Lesson& lesson, int repetitions,
   std::vector<TimeStepCost> rows;
   std::vector<Contestant> contestants;
   for (int twice = 1; twice <= 2 * kFiner; twice *= 2) {
-    if (!go_on()) return {};
     const int steps = own * twice / 2;
     if (steps < 1 || own * kFiner % steps != 0) continue;
     const Lesson stepped = in_steps(lesson, steps);
@@ -140,30 +155,30 @@ std::vector<TimeStepCost> motions(const Lesson& lesson, int repetitions,
     contestants.push_back(
         {[=] { return static_cast<double>(run_lesson(stepped).runs.size()); }, {}});
   }
-  return timed(std::move(rows), contestants, seconds, repetitions, go_on);
+  return timed(std::move(rows), contestants, seconds);
 }
 
-}  // namespace
-
-std::vector<TimeStepCost> time_step_costs(const Lesson& lesson, int repetitions,
-                                          const std::function<bool()>& go_on) {
-  if (lesson.table.as<LessonTime>()) return beams(lesson, repetitions, go_on);
+/// Rows from the largest step to the smallest; none of a lesson without a clock.
+std::vector<TimeStepCost> time_step_costs(const Lesson& lesson) {
+  if (lesson.table.as<LessonTime>()) return beams(lesson);
   const bool moves = lesson.path_of_shapes && lesson.path_of_shapes->seconds;
-  return moves ? motions(lesson, repetitions, go_on) : std::vector<TimeStepCost>();
+  return moves ? motions(lesson) : std::vector<TimeStepCost>();
 }
 
-std::string time_steps_table(const std::vector<TimeStepCost>& rows) {
-  if (rows.empty()) return "Nothing was measured: no lesson has a clock.\n";
-  std::string out = fmt::format(
+void print_head() {
+  fmt::print(
       "error: of a beam's angle, in radians, against steps of {} s; of a moving vertex, in the "
       "world's unit,\nagainst the finest step. time: for each second that passes in the scene. * "
       "the lesson's own step.\n\n  {:<20} {:>12} {:>9} {:>10} {:>10} {:>6} {:>6}\n",
       kFinestStep, "lesson", "step", "error", "order", "time", "warm", "cold");
+}
+
+void print(const std::vector<TimeStepCost>& rows) {
   const TimeStepCost* before = nullptr;
   for (const TimeStepCost& row : rows) {
     // By which power of the step the error falls.
-    const bool has_order = before != nullptr && before->lesson == row.lesson && row.error > 0.0 &&
-                           before->error > 0.0 && row.iterations == 0.0;
+    const bool has_order =
+        before != nullptr && row.error > 0.0 && before->error > 0.0 && row.iterations == 0.0;
     const std::string order = has_order
                                   ? fmt::format("{:.1f}", std::log(before->error / row.error) /
                                                               std::log(before->step / row.step))
@@ -171,24 +186,19 @@ std::string time_steps_table(const std::vector<TimeStepCost>& rows) {
     const auto iterations = [&](double value) {
       return row.iterations > 0.0 ? fmt::format("{:.2f}", value) : std::string();
     };
-    out += fmt::format("{} {:<20} {:>10.5g} s {:>9} {:>10} {:>10} {:>6} {:>6}\n",
-                       row.is_shown ? '*' : ' ', row.lesson, row.step, error_text(row.error), order,
-                       time_text(row.ns.median), iterations(row.iterations),
-                       iterations(row.cold_iterations));
+    fmt::print("{} {:<20} {:>10.5g} s {:>9} {:>10} {:>10} {:>6} {:>6}\n", row.is_shown ? '*' : ' ',
+               row.lesson, row.step, error_text(row.error), order, time_text(row.ns.median),
+               iterations(row.iterations), iterations(row.cold_iterations));
     before = &row;
   }
-  return out;
 }
 
-std::string time_steps_csv(const std::vector<TimeStepCost>& rows) {
-  std::string out =
-      "lesson,step,shown,error,iterations,cold_iterations,repetitions,ns,ns_low,ns_high\n";
-  for (const TimeStepCost& row : rows) {
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", row.lesson, row.step,
-                       row.is_shown ? 1 : 0, row.error, row.iterations, row.cold_iterations,
-                       row.repetitions, row.ns.median, row.ns.low, row.ns.high);
-  }
-  return out;
-}
-
+}  // namespace
 }  // namespace gjkscope
+
+int main(int count, char** arguments) {
+  using namespace gjkscope;
+  print_head();
+  for (const Lesson& lesson : bench::shipped_lessons())
+    if (count == 1 || lesson.id == arguments[1]) print(time_step_costs(lesson));
+}

@@ -1,4 +1,4 @@
-#include "survey/model_times.hpp"
+#include "study/model_times.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
