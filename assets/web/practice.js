@@ -24,13 +24,21 @@ function followPractice(parts) {
   return practise(wantedPractice({ chapter: number("chapter"), seed: number("seed") }));
 }
 
-/** Shows a task, and notes where one stands. */
-async function practise(wanted) {
-  if (await act({ do: "practise", ...wanted })) $("stage").scrollIntoView({ block: "nearest" });
+/** Figure and question are in sight, before what stands above them. */
+function lookAtTask() {
+  const isInSight = $("question").getBoundingClientRect().bottom <= innerHeight;
+  $("stage").scrollIntoView({ block: isInSight ? "nearest" : "start" });
 }
 
+/** Shows a task, and notes where one stands. */
+async function showTask(request) {
+  if (await act(request)) lookAtTask();
+}
+
+const practise = (wanted) => showTask({ do: "practise", ...wanted });
+
 async function nextTask() {
-  if (state.practice.answered) await act({ do: "task" });
+  if (state.practice.answered) await showTask({ do: "task" });
 }
 
 function showPractice(last) {
@@ -44,6 +52,7 @@ function showPractice(last) {
   if (answered) {
     $("choices").replaceChildren(element("button", { type: "button", id: "next-task", className: "main", textContent: "Next task", title: "Next task (N)", onclick: nextTask }));
     $("question").hidden = false;
+    if (last && !last.practice.answered) lookAtTask();
   }
   const score = answers.length ? `${right} of ${answers.length} tasks right, ${repeating} to repeat. ` : "";
   const moved = state.changed ? "The shapes are others now; Reset brings the task back." : "Kinds that went wrong come again after one, three and seven others.";

@@ -85,7 +85,8 @@ async function start() {
   // Two shapes are asked for their distance first; how it was found comes after.
   if (data.kind === "playground") state = await ask({ do: "go", to: state.answer });
   await document.fonts.ready;
-  $("hint").textContent = "Drag a corner or a shape: the steps follow.";
+  $("hint").textContent = data.kind === "practice" ? "Point at the answer in the figure, or press its button."
+    : "Drag a corner or a shape: the steps follow.";
   await layout();
   document.querySelectorAll("[inert]").forEach((part) => { part.inert = false; });
   root.dataset.live = true;

@@ -23,7 +23,8 @@ function showTools(next, last) {
     $("verdict").className = isRight ? "right" : "wrong";
     const said = isRight ? `Right: ${answer}.` : `Not ${chosen}: the run says ${answer}.`;
     const off = away ? ` You pointed ${away} away from it.` : turned ? ` Yours is turned by ${turned}°.` : "";
-    setText("verdict", `${said}${off} ${right} of ${asked} so far.`);
+    // Practice counts tasks, not questions.
+    setText("verdict", `${said}${off}${state.practice ? "" : ` ${right} of ${asked} so far.`}`);
     if (last?.question && remembers()) remember(data.id, whereStopped(), { step: last.index + 1, right: isRight });
     tellHost("answer", { step: state.index + 1, chosen, answer, right: isRight, asked, correct: right });
   }

@@ -185,7 +185,11 @@ Lesson frame_of(const Kind& kind) {
   lesson.id = "practice";
   lesson.title = "Practice";
   lesson.chapter = kind.chapter;
-  lesson.prose = "All that is asked for follows from the coordinates.";
+  lesson.prose =
+      kind.ask == kNextEdge
+          ? "The outline of Y − X goes counter-clockwise from its lowest corner. One edge is "
+            "there, and the bold edges can follow."
+          : "All that is asked for follows from the coordinates.";
   lesson.dimension =
       kind.draw == draw_tetrahedron || kind.draw == draw_on_face || kind.draw == draw_polyhedron
           ? 3
@@ -469,9 +473,7 @@ Task told(const Kind& kind, const LessonRun& run) {
     const FrameText& last = texts[told - 1];
     task.reason = last.question ? last.question->reason : texts[told].caption;
   } else if (kind.ask == kNextEdge) {
-    task.question =
-        "The outline of Y − X goes counter-clockwise from its lowest corner. The bold edge is its "
-        "first. Which edge comes next?";
+    task.question = task.lesson.prose + " Which edge comes next?";
   } else if (kind.ask == kStop) {
     task.asking = 0;  // Later frames show whether P = Q.
   } else if (!asking.question->pair.empty()) {

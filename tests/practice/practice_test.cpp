@@ -20,11 +20,13 @@
 
 #include "base/file.hpp"
 #include "export/work_sheet.hpp"
+#include "frames/frame.hpp"
 #include "lesson/load.hpp"
 #include "lesson/save.hpp"
 #include "picture/text_box.hpp"
 #include "practice/schedule.hpp"
 #include "practice/task.hpp"
+#include "run/graph.hpp"
 #include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 
@@ -527,6 +529,21 @@ TEST(Practice, GoesOnWhereItWasLeft) {
     EXPECT_EQ(again.answers(), answers);
     EXPECT_EQ(2, again.right());
     EXPECT_EQ(practice.repeating(), again.repeating());
+  }
+}
+
+TEST(Practice, ChoicesHaveTheirPlacesInAViewThatTheTaskShows) {
+  for (const int chapter : practice::chapters_with_practice()) {
+    for (const Kind& kind : practice::kinds_of(chapter)) {
+      const LessonRun run = run_lesson(practice::make_task(kind, 1).lesson);
+      EffectGraph effects(run);
+      for (const FrameText& text : lesson_texts(run, effects)) {
+        // A pair is pointed at by its vertices.
+        if (!text.question || !text.question->pair.empty()) continue;
+        for (const std::optional<Spot>& spot : text.question->spots)
+          EXPECT_TRUE(!spot || spot->view == kind.view) << chapter << ' ' << kind.name;
+      }
+    }
   }
 }
 

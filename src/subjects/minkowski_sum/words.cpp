@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "subjects/minkowski_sum/shown.hpp"
 
 namespace gjkscope::sums {
@@ -95,11 +98,23 @@ void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
   const minkowski_sum::Step& step = shown.merge.steps[story.frame.answering_step];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEdge.name), {}, {}});
-  const Eigen::Vector2d from = shown.merge.at(step.before.at);
+  const minkowski_sum::Corner& at = step.before.at;
+  const Eigen::Vector2d from = shown.merge.at(at);
+  const std::vector<LessonView>& views = shown.lesson.views;
+  const bool shows_difference = std::any_of(views.begin(), views.end(), [](const LessonView& view) {
+    return view.kind == ViewKind::difference;
+  });
   for (const Source source : {Source::y, Source::x}) {
-    asked.choices.push_back(shown.edge(step.before.at, source));
-    asked.spots.emplace_back(Spot(ViewKind::difference, from,
-                                  Eigen::Vector2d(from + way_of(shown, step.before.at, source))));
+    asked.choices.push_back(shown.edge(at, source));
+    if (shows_difference) {
+      asked.spots.emplace_back(
+          Spot(ViewKind::difference, from, Eigen::Vector2d(from + way_of(shown, at, source))));
+      continue;
+    }
+    const models::Ring& ring = source == Source::y ? shown.merge.y : shown.merge.x;
+    const int begin = source == Source::y ? at.y : at.x;
+    asked.spots.emplace_back(Spot(ViewKind::world, ring.points[static_cast<std::size_t>(begin)],
+                                  ring.points[static_cast<std::size_t>(ring.next(begin))]));
   }
   asked.choices.emplace_back("both: they are parallel");
   asked.spots.emplace_back();
