@@ -309,7 +309,7 @@ class Reduction {
 template <int D>
 FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& last) {
   FamilyTrial out;
-  out.family = families::kFamilyNames[family];
+  out.family = families::kFamilyNames[static_cast<std::size_t>(family)];
   out.dimension = D;
   families::Source random(options.seed + static_cast<std::uint64_t>(family));
   std::vector<Asked<D>> cases;
