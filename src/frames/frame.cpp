@@ -1,6 +1,7 @@
 #include "frames/frame.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -182,18 +183,20 @@ namespace {
 void tell_answers(std::vector<FrameText>& texts) {
   FrameText& answering = texts.back();
   std::string& detail = answering.detail;
-  std::string answers;
+  std::vector<std::string> answers;
   for (std::size_t i = texts.size() - 1; i > 0 && texts[i - 1].question; --i) {
-    const std::string& answer = texts[i - 1].question->answer;
-    texts[i - 1].question->reason = answering.caption;
-    if (const std::string& refuted = texts[i - 1].question->refuted; !refuted.empty())
-      detail += (detail.empty() ? "" : " ") + refuted;
-    answers = answers.empty() ? answer : answer + "; " + answers;
+    FrameQuestion& asked = *texts[i - 1].question;
+    asked.reason = answering.caption;
+    if (!asked.refuted.empty()) detail += (detail.empty() ? "" : " ") + asked.refuted;
+    answers.insert(answers.begin(), asked.answer);
   }
-  if (answers.empty()) return;
-  const bool starts_so = answering.caption.starts_with(answers + " ");
-  answering.caption =
-      fmt::format("Answer: {}{}", starts_so ? "" : answers + ". ", answering.caption);
+  std::string& caption = answering.caption;
+  if (answers.size() > 1) {
+    caption = fmt::format("Answers: first {}. {}", fmt::join(answers, ", then "), caption);
+  } else if (!answers.empty()) {
+    const bool starts_so = caption.starts_with(answers[0] + " ");
+    caption = fmt::format("Answer: {}{}", starts_so ? "" : answers[0] + ". ", caption);
+  }
 }
 
 }  // namespace

@@ -11,8 +11,6 @@ namespace {
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
-constexpr int kCap = 64;
-
 /// Takes down what a loop notes.
 class Notes {
  public:
@@ -70,10 +68,10 @@ class Notes {
 };
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a namespace takes none.
-#define MISTAKE(space, name, meaning, line, by)                             \
-  Mistake{name, meaning, line, by, [](const Polygon& x, const Polygon& y) { \
-            Notes notes(x, y);                                              \
-            return notes.ended(::space::gjk({x, y}, kCap, notes).simplex);  \
+#define MISTAKE(space, name, meaning, line, by)                                       \
+  Mistake{name, meaning, line, by, [](const Polygon& x, const Polygon& y) {           \
+            Notes notes(x, y);                                                        \
+            return notes.ended(::space::gjk({x, y}, kMostIterations, notes).simplex); \
           }},
 // NOLINTEND(bugprone-macro-parentheses)
 constexpr std::array kMistakes = {

@@ -10,12 +10,15 @@
 
 namespace gjkscope {
 
+/// Iterations after which a loop is cut off.
+inline constexpr int kMostIterations = 64;
+
 struct Mistake {
   std::string_view name;     ///< "wrong-sign"
   std::string_view meaning;  ///< A sentence.
   std::string_view line;     ///< A part of a line of the textbook's page.
   std::string_view by;       ///< It is replaced by this; empty: it is left out.
-  /// The run of the loop, which makes at most 64 iterations. The shapes have vertices.
+  /// The run of the loop. The shapes have vertices.
   judging::Log (*log_of)(const std::vector<Eigen::Vector2d>& x,
                          const std::vector<Eigen::Vector2d>& y) = nullptr;
 };

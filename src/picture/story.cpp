@@ -22,6 +22,30 @@ Eigen::Vector3d Story::p_world() const {
   return run.point_query() ? Eigen::Vector3d(state.p + positioned.x().world[0]) : state.p;
 }
 
+std::string Story::moved() const {
+  if (frame.run == 0) return {};
+  const PositionedRun& last = run.runs[static_cast<std::size_t>(frame.run) - 1];
+  if (run.point_query()) {
+    return fmt::format("{} moves from {} to {}.", q, numbers.point(last.x().world[0]),
+                       numbers.point(positioned.x().world[0]));
+  }
+  std::string out;
+  for (std::size_t i = 0; i < positioned.bodies.size(); ++i) {
+    const Placement& from = last.bodies[i].placement;
+    const Placement& to = positioned.bodies[i].placement;
+    std::vector<std::string> changes;
+    if (to.translate != from.translate)
+      changes.push_back("moves by " + numbers.point(to.translate - from.translate));
+    if (to.rotate_degrees != from.rotate_degrees)
+      changes.push_back(
+          fmt::format("turns by {}°", fixed(to.rotate_degrees - from.rotate_degrees, 1)));
+    if (changes.empty()) continue;
+    out += fmt::format("{}{} {}.", out.empty() ? "" : " ", run.lesson.bodies[i].name,
+                       and_list(std::move(changes)));
+  }
+  return out;
+}
+
 std::string Story::distance() const { return numbers(std::sqrt(state.p_sq)); }
 
 std::string Story::set_name() const { return run.point_query() ? run.lesson.y().name : "Z"; }

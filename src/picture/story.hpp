@@ -18,6 +18,9 @@ struct Story {
   [[nodiscard]] bool shows(std::string_view effect) const { return run.lesson.calls_for(effect); }
 
   [[nodiscard]] Eigen::Vector3d p_world() const;
+  /// "Q moves from (1.00, 2.00) to (3.00, 2.00)." for a query point, "Y moves by (0.50, 0.25) and
+  /// turns by 15.0°." for other shapes: what happened since the run before, if there is one.
+  [[nodiscard]] std::string moved() const;
   [[nodiscard]] std::string distance() const;
   /// The polygon of a point query, or Z.
   [[nodiscard]] std::string set_name() const;

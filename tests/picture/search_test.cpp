@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "frames/frame.hpp"
@@ -185,10 +186,12 @@ TEST(SearchFrames, ThePairThatComesNextIsThatOfTheNextVisit) {
   const LessonRun run = run_lesson(lesson);
   const std::vector<FrameText> texts = testing::texts_of(run);
   int asked = 0;
+  std::map<std::string, int> answers;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (!texts[i].question) continue;
     ++asked;
     const FrameQuestion& question = *texts[i].question;
+    ++answers[question.answer == question.choices.back() ? "last" : question.answer];
     const models::NodePair& next = Shown(run, run.frames[i + 1]).state.pair;
     const auto at = std::find(question.choices.begin(), question.choices.end(), question.answer);
     EXPECT_EQ(question.subjects[static_cast<std::size_t>(at - question.choices.begin())],
@@ -196,6 +199,8 @@ TEST(SearchFrames, ThePairThatComesNextIsThatOfTheNextVisit) {
     EXPECT_GT(question.choices.size(), 1u);
   }
   EXPECT_GT(asked, 10);
+  for (const auto& [answer, times] : answers)
+    EXPECT_LT(2 * times, asked) << answer << ": a number must not give the answer away";
 }
 
 TEST(SearchFrames, AShapeWithoutSegmentsIsRefused) {

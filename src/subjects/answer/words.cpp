@@ -198,10 +198,12 @@ void answer(const Story& story, FrameText& text) {
   if (story.shows(LastPosition::kName)) return slide(story, text);
   if (!(story.trace.result.distance > 0.0)) return overlap(story, text);
   const bool is_round = RoundShapes::of(story.effects, story.run, story.frame) != nullptr;
-  text.caption = fmt::format(
-      "{}{} and {} are {} apart, and O is as far from Z: P is the arrow y − x, drawn from O.",
-      is_round ? "Without their radii, " : "", story.run.lesson.x().name, story.run.lesson.y().name,
-      story.numbers(story.trace.result.distance));
+  const std::string moved = story.moved();
+  text.caption = fmt::format("{}{}{}{} and {} are {} apart, and O is as far from Z{}.", moved,
+                             moved.empty() ? "" : " ", is_round ? "Without their radii, " : "",
+                             story.run.lesson.x().name, story.run.lesson.y().name,
+                             story.numbers(story.trace.result.distance),
+                             moved.empty() ? ": P is the arrow y − x, drawn from O" : "");
   text.detail = fmt::format("Closest: {}, so P {}.", story.closest_features(), place_of_p(story));
 }
 

@@ -83,9 +83,12 @@ void pairs(const Story& story, FrameText& text) {
       return;
     case BuildPart::slide:
       text.caption = fmt::format(
-          "Put −{0}, by its O, on each vertex of {1}: the copies have the same {2} differences.", x,
-          y, all);
-      text.detail = fmt::format("Put it on every point of {1}, and −{0} covers Z.", x, y);
+          "Move −{0} so that its O stands on a vertex of {1}. The copies, one for each vertex of "
+          "{1}, "
+          "have the same {2} differences as vertices.",
+          x, y, all);
+      text.detail =
+          fmt::format("As its O goes through all points of {1}, −{0} covers all of Z.", x, y);
       return;
     case BuildPart::hull:
       return hull(story, text, all);

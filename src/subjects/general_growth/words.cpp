@@ -119,14 +119,20 @@ void words(const Story& story, FrameText& text) {
     text.caption =
         fmt::format("n = {}: {} pairs of segments. Trees of boxes visit {} pairs of boxes.",
                     grouped(sample.segments), grouped(sample.pairs()), grouped(sample.boxes));
-    text.detail =
-        sample.pieces >= 0.0
-            ? fmt::format(
-                  "Trees of circles visit {}. Convex pieces: pairs that need a run of GJK: {}.",
-                  grouped(sample.circles), grouped(sample.pieces))
-            : fmt::format(
-                  "Trees of circles visit {}. Cutting takes n · n steps, so it ends at n = {}.",
-                  grouped(sample.circles), general_growth::kMostCut);
+    text.detail = fmt::format("Trees of circles visit {}. ", grouped(sample.circles));
+    const Sample* last = shown.size() == 0 ? nullptr : &shown.told.samples[shown.size() - 1];
+    if (sample.pieces >= 0.0) {
+      text.detail +=
+          fmt::format("Convex pieces: pairs that need a run of GJK: {}.", grouped(sample.pieces));
+    } else if (last == nullptr || last->pieces >= 0.0) {
+      text.detail +=
+          fmt::format("Cutting takes n · n steps, so it ends at n = {}.", general_growth::kMostCut);
+    } else {
+      text.detail +=
+          fmt::format("Since n = {} pairs of segments grow {} times, visits of boxes {}.",
+                      grouped(last->segments), grouped(sample.pairs() / last->pairs()),
+                      fixed(sample.boxes / last->boxes, 2));
+    }
   } else if (shown.is(GrowthPhase::time)) {
     times(shown, text);
   } else if (shown.is(GrowthPhase::claim)) {

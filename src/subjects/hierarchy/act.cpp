@@ -94,10 +94,24 @@ bool is_introduced(const Lesson& lesson, long visit) {
                                    });
 }
 
-/// A frame for the start, one for what comes of each visit, one for what follows them; of a long
-/// search those alone that find a better candidate or are looked up, and some in between.
+/// The visit that ends with step `i` comes to the same as the next one, whose frame tells of both.
+bool is_told_with_the_next(const Lesson& lesson, const std::vector<SearchStep>& steps,
+                           std::size_t i) {
+  const auto next = std::find_if(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(),
+                                 [](const SearchStep& step) { return ends_visit(step); });
+  const auto is_same_again = [&](const SearchStep& step) {
+    return step.phase == steps[i].phase && !step.record.better && !step.record.hit &&
+           !is_introduced(lesson, step.after.visits);
+  };
+  return is_same_again(steps[i]) && next != steps.end() && is_same_again(*next);
+}
+
+/// A frame for the start, one for what comes of each visit, or of several in a row that come to the
+/// same, one for what follows them; of a long search those alone that find a better candidate or
+/// are the first that are looked up, and some in between.
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
+  constexpr long kMostHits = 2;
   const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
   const models::SearchTrace& trace = search_trace(run, index)->trace;
   add(0);
@@ -109,10 +123,13 @@ void add_frames(LessonRun& run, int index) {
     const long visit = step.after.visits;
     const bool begins_visit =
         step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
+    const bool is_new_hit = step.record.hit && step.after.hits <= kMostHits;
     const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better &&
-                            !step.record.hit && !asks_about_halves(run.lesson, visit + 1);
+                            !is_new_hit && !asks_about_halves(run.lesson, visit + 1);
+    const bool is_told_later =
+        !is_long && is_told_with_the_next(run.lesson, trace.steps, static_cast<std::size_t>(i));
     if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
-        (ends_visit(step) && !is_between))
+        (ends_visit(step) && !is_between && !is_told_later))
       add(i + 1);
   }
   add(static_cast<int>(trace.steps.size()) + 1);

@@ -106,15 +106,25 @@ Subject subject_of(const models::NodePair& pair) {
   return {Subject::Kind::tree_node, pair.a, pair.b};
 }
 
-/// The number of a pair that waits, beside it: the first is that which has waited longest.
+/// The pairs that wait, as a question numbers them: where that begins depends on the visits, so
+/// that no number is always the next one's.
+std::vector<models::NodePair> numbered(const models::SearchState& state) {
+  std::vector<models::NodePair> pairs = state.waiting;
+  const long first = 3 * state.visits % static_cast<long>(pairs.size());
+  std::rotate(pairs.begin(), pairs.begin() + first, pairs.end());
+  return pairs;
+}
+
+/// The number of a pair that waits, beside it.
 void number(SceneBuilder& scene, const models::SearchState& state, const models::NodePair& pair,
             const Point& at) {
-  const auto found = std::find_if(
-      state.waiting.begin(), state.waiting.end(),
-      [&](const models::NodePair& each) { return each.a == pair.a && each.b == pair.b; });
+  const std::vector<models::NodePair> pairs = numbered(state);
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const models::NodePair& each) {
+    return each.a == pair.a && each.b == pair.b;
+  });
   scene.out.marks.push_back(
-      {"strong", Text{at + Point(kNodeRadius + 5.0, 5.0),
-                      std::to_string(found - state.waiting.begin() + 1), type::kStrong}});
+      {"strong", Text{at + Point(kNodeRadius + 5.0, 5.0), std::to_string(found - pairs.begin() + 1),
+                      type::kStrong}});
 }
 
 void draw_order(SceneBuilder& scene, const Order& order, bool nearer_first, const Rect& area,
@@ -204,7 +214,7 @@ void candidates(SceneBuilder& scene) {
 }
 
 void add_order_frames(LessonRun& run, int index) {
-  constexpr long kMostFrames = 12;
+  constexpr long kMostFrames = 6;
   const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
   const models::SearchTrace& trace = search_trace(run, index)->trace;
   add(0);
@@ -245,11 +255,12 @@ void order_question(const Story& story, FrameText& text) {
     text.caption = "Question: which order of children ends after fewer visits?";
     return;
   }
-  for (std::size_t i = 0; i < shown.state.waiting.size(); ++i) {
-    asked.choices.push_back(fmt::format("pair {}", i + 1));
-    asked.subjects.push_back(subject_of(shown.state.waiting[i]));
+  const models::NodePair& next = shown.state.waiting.back();
+  for (const models::NodePair& pair : numbered(shown.state)) {
+    asked.choices.push_back(fmt::format("pair {}", asked.choices.size() + 1));
+    asked.subjects.push_back(subject_of(pair));
+    if (pair.a == next.a && pair.b == next.b) asked.answer = asked.choices.back();
   }
-  asked.answer = asked.choices.back();
   asked.refuted = "The search visits what came last, its nearer child on top: so it goes deep.";
   text.caption =
       "Question: above, the nearer child first: which pair that waits is visited next? Point at "
@@ -292,8 +303,14 @@ void tell_orders(const Story& story, FrameText& text) {
     text.caption =
         fmt::format("After {} visits: nearer first has δ = {}, left first δ = {}.",
                     shown.state.visits, delta(nearer, story.numbers), delta(left, story.numbers));
-    text.detail = fmt::format("A smaller δ cuts more. By now {} and {} pairs of {} were cut.",
-                              nearer.cuts, left.cuts, shown.volumes());
+    text.detail =
+        nearer.cuts + left.cuts == 0
+            ? fmt::format("Nothing was cut yet: {} are cut that are farther apart than δ.",
+                          shown.volumes())
+            : fmt::format(
+                  "A smaller δ cuts more: by now nearer first has cut {} pair{} of {}, left "
+                  "first {}.",
+                  nearer.cuts, nearer.cuts == 1 ? "" : "s", shown.volumes(), left.cuts);
   }
 }
 

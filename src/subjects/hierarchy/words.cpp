@@ -26,14 +26,18 @@ class Telling {
       case SearchPhase::visit:
         return visit();
       case SearchPhase::bound:
-        return cut();
+        cut();
+        break;
       case SearchPhase::leaf:
-        return leaf();
+        leaf();
+        break;
       case SearchPhase::descend:
-        return descend();
+        descend();
+        break;
       case SearchPhase::contain:
         return contain();
     }
+    visits_told_along();
   }
 
  private:
@@ -45,6 +49,20 @@ class Telling {
   [[nodiscard]] std::string bound() const { return story_.numbers(shown_.state.pair.bound); }
   [[nodiscard]] long pairs_below() const {
     return static_cast<long>(shown_.node(true).count) * shown_.node(false).count;
+  }
+
+  /// Visits since the last frame that have none, because they ended as this one does.
+  void visits_told_along() {
+    if (shown_.search.trace.result.visits > kMostVisits) return;
+    long told = 0;
+    for (const Frame& frame : story_.run.frames) {
+      if (frame.run == story_.frame.run && frame.step < story_.frame.step)
+        told = Shown(story_.run, frame).state.visits;
+    }
+    const long along = shown_.state.visits - told - 1;
+    if (along == 1) text_.detail += " The visit before it ended the same way.";
+    if (along > 1)
+      text_.detail += fmt::format(" The {} visits before it ended the same way.", along);
   }
 
   void refused() {

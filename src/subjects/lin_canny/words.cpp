@@ -56,7 +56,9 @@ class Telling {
     if (story_.frame.run == 0) return;
     text_.caption.back() = ',';
     text_.caption += " where the last walk ended.";
-    text_.detail = "If the shapes moved little, it ends near there. Next: their closest points.";
+    text_.detail = "Next: their closest points.";
+    if (const std::string moved = story_.moved(); !moved.empty())
+      text_.detail = moved + " If that is little, the walk ends near there. " + text_.detail;
   }
 
   void closest() {
@@ -102,9 +104,14 @@ class Telling {
     } else if (shown_.state.stop == WalkStop::overlap) {
       text_.detail =
           "No neighbour is closer. But the shapes overlap elsewhere, and the walk cannot see it.";
-    } else {
+    } else if (story_.frame.run == 0) {
       text_.detail =
           "Then the slab between them is empty, so no other two points are closer: stop.";
+    } else {
+      text_.detail = fmt::format(
+          "The slab between them is empty and {} wide, so the walk stops: it measured {} pair{}.",
+          distance(), shown_.walk.trace.result.steps,
+          shown_.walk.trace.result.steps == 1 ? "" : "s");
     }
   }
 
@@ -133,7 +140,7 @@ class Telling {
         shown_.step->asked > 0
             ? fmt::format("It is the nearest of {} edges. Next: the closest points again.",
                           shown_.step->asked)
-        : overlap
+        : overlap || shown_.state.swaps > 1
             ? "Next: the closest points again."
             : "Each swap lowers the distance, so no pair comes twice. Next: the closest points "
               "again.";
@@ -187,7 +194,7 @@ void question(const Story& story, FrameText& text) {
   const models::RegionTest& found = step.after.found;
   asked.answer = found.crossed ? shown.name(found.of_a, found.neighbour) : asked.choices.back();
   text.caption =
-      "Question: where does the walk go now? Of borders crossed, the first in the list counts.";
+      "Question: where does the walk go now? The first border in the list that is crossed counts.";
 }
 
 void values(const Story& story, FrameText& text) {

@@ -81,12 +81,16 @@ void words(const Story& story, FrameText& text) {
                     pairs(at.at(Method::tree_cold)));
     return;
   }
-  text.caption =
-      fmt::format("All methods say {}. With what they know: GJK {}, Lin-Canny {}, trees {}.",
-                  story.numbers(at.answer.distance), iterations(at.at(Method::gjk_warm)),
-                  pairs(at.at(Method::lin_canny)), pairs(at.at(Method::tree_front)));
-  text.detail = fmt::format("From scratch: GJK {}, trees {}.", iterations(at.at(Method::gjk_cold)),
-                            pairs(at.at(Method::tree_cold)));
+  const models::Answer& last = methods_told(story.run, story.frame.run - 1)->answer;
+  const bool is_same = last.on_a == at.answer.on_a && last.on_b == at.answer.on_b;
+  text.caption = fmt::format(
+      "The distance is {}, between {}: with what they know GJK needs {}, Lin-Canny {}.",
+      story.numbers(at.answer.distance), is_same ? "the same features as before" : "new features",
+      iterations(at.at(Method::gjk_warm)), pairs(at.at(Method::lin_canny)));
+  text.detail = fmt::format(
+      "From the last front the trees visit {}, from the roots {}. From scratch GJK needs {}.",
+      pairs(at.at(Method::tree_front)), at.at(Method::tree_cold),
+      iterations(at.at(Method::gjk_cold)));
 }
 
 constexpr AskInfo kAskFront{
@@ -136,25 +140,40 @@ void ask_about_memory(const Story& story, FrameText& text, FrameQuestion& asked)
   text.caption = "Question: whose memory saves the largest share of its steps?";
 }
 
-/// Some vertices and edges of X in a row, the closest among them.
-void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) {
-  const models::Answer& answer = told(story.run, story.frame).answer;
-  const std::vector<Eigen::Vector2d> points = in_plane(story.positioned.x().world);
-  const std::vector<std::string>& names = story.run.lesson.x().vertex_names;
-  const int count = static_cast<int>(points.size());
+/// A vertex of X, or the edge between two.
+struct ChoiceOfX {
+  int from;
+  int to;
+  bool is_closest;
+};
+
+/// Some vertices and edges of X in a row, the closest among them: its place differs.
+std::vector<ChoiceOfX> choices_of_x(const LessonRun& run, const Frame& frame) {
+  const models::Feature& closest = told(run, frame).answer.on_a;
+  const int count = static_cast<int>(run.lesson.x().vertices.size());
   const int choices = std::min(7, 2 * count);
-  // Feature 2i is vertex i, 2i + 1 the edge after it. Its place among the choices differs.
-  const int closest = 2 * answer.on_a.index + (answer.on_a.is_vertex ? 0 : 1);
-  const int first = closest - story.frame.run % choices;
+  // Feature 2i is vertex i, 2i + 1 the edge after it.
+  const int right = 2 * closest.index + (closest.is_vertex ? 0 : 1);
+  const int first = right - frame.run % choices;
+  std::vector<ChoiceOfX> out;
   for (int i = first; i < first + choices; ++i) {
     const int feature = (i + 2 * count) % (2 * count);
-    const auto from = static_cast<std::size_t>(feature / 2);
-    const auto to = static_cast<std::size_t>((feature / 2 + feature % 2) % count);
+    out.push_back({feature / 2, (feature / 2 + feature % 2) % count, i == right});
+  }
+  return out;
+}
+
+void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) {
+  const std::vector<Eigen::Vector2d> points = in_plane(story.positioned.x().world);
+  const std::vector<std::string>& names = story.run.lesson.x().vertex_names;
+  for (const ChoiceOfX& choice : choices_of_x(story.run, story.frame)) {
+    const auto from = static_cast<std::size_t>(choice.from);
+    const auto to = static_cast<std::size_t>(choice.to);
     asked.choices.push_back(from == to ? names[from] : names[from] + names[to]);
     asked.spots.emplace_back(Spot(ViewKind::world, points[from], points[to]));
-    if (i == closest) asked.answer = asked.choices.back();
+    if (choice.is_closest) asked.answer = asked.choices.back();
   }
-  asked.place = answer.a;
+  asked.place = told(story.run, story.frame).answer.a;
   text.caption = fmt::format(
       "Question: both have moved on. Which point of {} is closest to {} here? Point at it.",
       story.run.lesson.x().name, story.run.lesson.y().name);
@@ -182,9 +201,25 @@ void values(const Story& story, FrameText& text) {
     text.values.emplace_back(name_of(method), fmt::format("{} {}", at.at(method), unit_of(method)));
 }
 
+/// The vertices of X that a question chooses from have names, with its answer, too.
+void name_choices(SceneBuilder& scene) {
+  const std::vector<LessonQuestion>& questions = scene.run.lesson.questions;
+  const bool is_asked =
+      std::any_of(questions.begin(), questions.end(), [&](const LessonQuestion& question) {
+        return question.ask == asks::kClosestX.name && is_at(scene.frame, question);
+      });
+  if (!is_asked || is_sum(scene.frame)) return;
+  for (const ChoiceOfX& choice : choices_of_x(scene.run, scene.frame)) {
+    if (choice.from == choice.to)
+      layers::vertex_name(scene, {Subject::Kind::vertex_of_x, choice.from}, true);
+  }
+}
+
 void stage(SceneBuilder& scene) {
   const MethodsTold& at = told(scene.run, scene.frame);
-  if (at.is_refused() || asks_first(scene.frame)) return;
+  if (at.is_refused()) return;
+  name_choices(scene);
+  if (asks_first(scene.frame)) return;
   const Point x = scene.at(at.answer.a);
   const Point y = scene.at(at.answer.b);
   scene.line("closest.line", x, y);

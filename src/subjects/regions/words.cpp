@@ -111,6 +111,12 @@ void orders(const Story& story, FrameText& text) {
   const RegionOrders::Value& chains = story.effects.get<RegionOrders>(story.frame);
   if (chains.empty()) return;
   const OrderStage stage = *order_stage(story.run, story.frame);
+  if (stage == OrderStage::numbers && story.frame.run > 0) {
+    text.caption = story.moved() + " The triangle stays, and so do the tests.";
+    text.detail =
+        fmt::format("Only the coordinates of {} are computed anew. Next: vertices first.", story.q);
+    return;
+  }
   if (stage == OrderStage::numbers) {
     text.caption = fmt::format(
         "The coordinates of {} come first. The order of the tests is ours to choose.", story.q);
@@ -152,7 +158,7 @@ void orders(const Story& story, FrameText& text) {
         taken);
     text.detail =
         fmt::format("{} projects onto the edge itself, so P′ = P. Next: whole tests.", story.q);
-  } else {
+  } else if (story.frame.run == 0) {
     text.caption = fmt::format(
         "A whole test also asks whether {} projects onto the edge. Edges first, whole tests still "
         "give {}.",
@@ -161,6 +167,14 @@ void orders(const Story& story, FrameText& text) {
         "P′ = P, at distance {}. No two of these six tests are true at once, so any order works. "
         "The interior has no test of its own.",
         distance);
+  } else {
+    const RegionOrders::Chain& shorter = chains[static_cast<std::size_t>(stage) - 2];
+    text.caption = shorter.error > 0.0
+                       ? fmt::format("Edges first, whole tests refuse {} and take {}.",
+                                     feature(story, shorter.region), region)
+                       : fmt::format("Edges first, whole tests take {}, too: {} projects onto it.",
+                                     region, story.q);
+    text.detail = fmt::format("P′ = P, at distance {}.", distance);
   }
 }
 

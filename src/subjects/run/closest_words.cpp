@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "picture/story.hpp"
 #include "subjects/run/refuting.hpp"
@@ -138,6 +139,21 @@ bool tells_areas(const Story& story) {
          story.shows(BarycentricParts::kName);
 }
 
+/// What was found at the position before; none at the first.
+const WideState* last_found(const Story& story) {
+  if (story.frame.run == 0) return nullptr;
+  const auto& steps = story.run.runs[static_cast<std::size_t>(story.frame.run) - 1].trace.steps;
+  return steps.empty() ? nullptr : &steps.front().after;
+}
+
+/// "The distance grows from 1.483 to 1.916."
+std::string change_of_distance(const Story& story, const WideState& before) {
+  const std::string was = story.numbers(std::sqrt(before.p_sq));
+  if (was == story.distance()) return fmt::format("The distance is {} again.", was);
+  return fmt::format("The distance {} from {} to {}.",
+                     story.state.p_sq > before.p_sq ? "grows" : "shrinks", was, story.distance());
+}
+
 /// "QCA", "QCA and QAB": the parts whose weights have this sign.
 std::string parts_of(const Story& story, const gjk::Barycentric<double, 2>& coordinates,
                      bool negative) {
@@ -148,6 +164,34 @@ std::string parts_of(const Story& story, const gjk::Barycentric<double, 2>& coor
     out += (out.empty() ? "" : " and ") + story.q + story.words.face(rest);
   }
   return out;
+}
+
+/// One weight is negative, as it was at the position before: tells how it changes.
+bool same_weight_is_negative(const Story& story, const gjk::Barycentric<double, 2>& now,
+                             const std::string& sum, FrameText& text) {
+  if (story.frame.run == 0) return false;
+  const WideSimplex& last =
+      story.run.runs[static_cast<std::size_t>(story.frame.run) - 1].trace.initial.simplex;
+  if (last.count != 3) return false;
+  const gjk::Barycentric<double, 2> before = gjk::barycentric(in_plane(last), last.all());
+  int negative = -1;
+  for (int i = 0; i < 3; ++i) {
+    const bool is_negative = now.numerator[i] < 0.0;
+    if (is_negative != (before.numerator[i] < 0.0) || (is_negative && negative >= 0)) return false;
+    if (is_negative) negative = i;
+  }
+  if (negative < 0) return false;
+  const double was = before.numerator[negative] / before.denominator;
+  const double is = now.numerator[negative] / now.denominator;
+  text.caption = fmt::format(
+      "{} {} {}, still beyond it: {} {} from {} to {}.", story.q,
+      is < was ? "moves away from" : "comes nearer to",
+      story.words.face(static_cast<gjk::Face>(story.state.simplex.all() & ~gjk::face_of(negative))),
+      "uvw"[negative], is < was ? "falls" : "rises", story.numbers.weight(was),
+      story.numbers.weight(is));
+  if (!refutes(story.run, story.frame))
+    text.detail = fmt::format("The other two make up for it: {}.", sum);
+  return true;
 }
 
 void areas(const Story& story, FrameText& text) {
@@ -173,6 +217,7 @@ void areas(const Story& story, FrameText& text) {
     ++count;
   }
   sum += adds_up(terms, "1") ? " = 1" : " = 1 up to rounding";
+  if (same_weight_is_negative(story, coordinates, sum, text)) return;
   if (count == 0) {
     text.caption = fmt::format("{} lies inside: all three areas are positive and together fill {}.",
                                story.q, whole);
@@ -217,30 +262,36 @@ std::string edges_at(const Story& story, gjk::Face vertex) {
 void features(const Story& story, FrameText& text) {
   const gjk::Face face = story.state.region;
   const std::string name = story.words.face(face);
-  switch (gjk::vertex_count(face)) {
-    case 1:
-      text.caption = fmt::format(
-          "{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.",
-          story.q, name);
-      text.detail = fmt::format(
-          "Every other point of {} is farther, and every way inside crosses one of them. Thus P = "
-          "{}, at distance {}.",
-          edges_at(story, face), name, story.distance());
-      break;
-    case 2: {
-      const std::vector<int> ends = story.words.order(face);
-      text.caption = fmt::format(
-          "{0} lies in region {1}: it lies beyond {1} and projects between {2} and {3}.", story.q,
-          name, story.words.vertex(ends[0]), story.words.vertex(ends[1]));
-      text.detail = fmt::format(
-          "The projection is the closest point P, at distance {}: the triangle lies behind {}.",
-          story.distance(), name);
-      break;
-    }
-    default:
-      text.caption = fmt::format("{} lies inside {}: it is its own closest point, P = {}.", story.q,
-                                 name, story.q);
-      text.detail = "The distance is 0.";
+  const int size = gjk::vertex_count(face);
+  const WideState* before = last_found(story);
+  if (before != nullptr && before->region == face && size < 3) {
+    text.caption =
+        size == 1
+            ? fmt::format(
+                  "{0} stays in region {1}: it still projects beyond {1}, so P = {1} stays.",
+                  story.q, name)
+            : fmt::format("{0} stays in region {1}: P slides along {1} with {0}.", story.q, name);
+    text.detail = change_of_distance(story, *before);
+  } else if (size == 1) {
+    text.caption = fmt::format(
+        "{0} lies in region {1}: its projections onto both edges at {1} fall beyond {1}.", story.q,
+        name);
+    text.detail = fmt::format(
+        "Every other point of {} is farther, and every way inside crosses one of them. Thus P = "
+        "{}, at distance {}.",
+        edges_at(story, face), name, story.distance());
+  } else if (size == 2) {
+    const std::vector<int> ends = story.words.order(face);
+    text.caption =
+        fmt::format("{0} lies in region {1}: it lies beyond {1} and projects between {2} and {3}.",
+                    story.q, name, story.words.vertex(ends[0]), story.words.vertex(ends[1]));
+    text.detail = fmt::format(
+        "The projection is the closest point P, at distance {}: the triangle lies behind {}.",
+        story.distance(), name);
+  } else {
+    text.caption = fmt::format("{} lies inside {}: it is its own closest point, P = {}.", story.q,
+                               name, story.q);
+    text.detail = "The distance is 0.";
   }
   const gjk::Face next = next_region(story);
   if (next == 0 || next == face) return;
@@ -279,16 +330,28 @@ void projection(const Story& story, FrameText& text) {
   const bool between = story.state.region == story.state.simplex.all();
   const bool before = story.state.region == 0b01;
   const std::string end = before ? a : b;
-  text.caption =
-      between ? fmt::format(
-                    "{0} projects to G, between {1} and {2}: {0} lies in region {1}{2}, and P = G.",
-                    story.q, a, b)
-              : fmt::format("{0} projects to G, beyond {1}: {0} lies in region {1}, and P = {1}.",
-                            story.q, end);
-  text.detail = fmt::format(
-      "The distance is {}: every other point of {}{} is farther from G and so, by Pythagoras, from "
-      "{}.",
-      story.distance(), a, b, story.q);
+  const WideState* last = last_found(story);
+  if (last != nullptr && last->region == story.state.region) {
+    text.caption =
+        between
+            ? fmt::format("{0} stays in region {1}{2}: G moves along {1}{2}, and P with it.",
+                          story.q, a, b)
+            : fmt::format("{0} stays in region {1}: G moves, still beyond {1}, so P = {1} stays.",
+                          story.q, end);
+    text.detail = change_of_distance(story, *last);
+  } else {
+    text.caption =
+        between
+            ? fmt::format(
+                  "{0} projects to G, between {1} and {2}: {0} lies in region {1}{2}, and P = G.",
+                  story.q, a, b)
+            : fmt::format("{0} projects to G, beyond {1}: {0} lies in region {1}, and P = {1}.",
+                          story.q, end);
+    text.detail = fmt::format(
+        "The distance is {}: every other point of {}{} is farther from G and so, by Pythagoras, "
+        "from {}.",
+        story.distance(), a, b, story.q);
+  }
   const gjk::Face next = next_region(story);
   if (next == 0 || next == story.state.region) return;
   const gjk::Face passed = between ? next : story.state.region;
@@ -359,8 +422,13 @@ void closest(const Story& story, FrameText& text) {
 void region_test(const Story& story, FrameText& text) {
   const WideSimplex& simplex = story.state.simplex;
   if (story.knows.tests_reached < 0) {
-    text.caption = fmt::format(
-        "Which Voronoi region holds {}? First compute its barycentric coordinates.", story.q);
+    const std::string moved = story.moved();
+    text.caption =
+        moved.empty()
+            ? fmt::format(
+                  "Which Voronoi region holds {}? First compute its barycentric coordinates.",
+                  story.q)
+            : fmt::format("{} Which region holds it now? Compute its coordinates anew.", moved);
     if (simplex.count == 2) {
       const gjk::Barycentric<double, 2> weights =
           gjk::barycentric(in_plane(simplex), simplex.all());

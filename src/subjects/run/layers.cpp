@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "picture/solid.hpp"
 #include "picture/words.hpp"
 #include "run/questions.hpp"
@@ -241,11 +243,35 @@ void witness_points(SceneBuilder& scene) {
   name("y", scene.at(y), scene.at(x));
 }
 
+void support_point(SceneBuilder& scene) {
+  constexpr double kAroundVertex = 12.0;
+  const WideVertex& support = scene.state.support;
+  scene.simplex_vertex(support, "support");
+  const auto within = [&](const Point& at, const Subject& subject) {
+    scene.diamond("support.vertex", at, kAroundVertex, subject);
+    scene.disk("simplex.vertex", at, kSimplexRadius, subject);
+  };
+  const auto shares = [&](int gjk::VertexPair::*vertex) {
+    const auto& all = scene.state.simplex.vertices;
+    return std::any_of(all.begin(), all.begin() + scene.state.simplex.count,
+                       [&](const WideVertex& v) { return v.pair.*vertex == support.pair.*vertex; });
+  };
+  using Kind = Subject::Kind;
+  if (!scene.shows_difference) {
+    if (shares(&gjk::VertexPair::x))
+      within(scene.at(scene.vertex_of_x(support)), {Kind::vertex_of_x, support.pair.x});
+    if (shares(&gjk::VertexPair::y))
+      within(scene.at(scene.vertex_of_y(support)), {Kind::vertex_of_y, -1, support.pair.y});
+  } else if (has_pair(scene.state.simplex, support.pair)) {
+    within(scene.at_difference(support.w), subject_of(scene.run, support.pair));
+  }
+}
+
 void search(SceneBuilder& scene) {
   if (scene.knows.support) scene.support_plane(scene.state.support.w, scene.state.d);
   // A search that is over points nowhere.
   if (scene.knows.direction && !scene.knows.has_ended) search_direction(scene);
-  if (scene.knows.support) scene.simplex_vertex(scene.state.support, "support");
+  if (scene.knows.support) support_point(scene);
 }
 
 namespace {
@@ -297,7 +323,7 @@ void search_between_shapes(SceneBuilder& scene) {
                      "d");
   scene.search_arrow(scene.at(scene.vertex_of_x(scene.state.support)), -scene.state.d, kPairArrow,
                      "−d");
-  scene.simplex_vertex(scene.state.support, "support");
+  support_point(scene);
 }
 
 bool reaches_query(const SceneBuilder& scene) {
@@ -315,8 +341,8 @@ void stage_step(SceneBuilder& scene) {
     search(scene);
     closest_point(scene);
   } else {
-    witness_points(scene);
     search_between_shapes(scene);
+    witness_points(scene);
   }
 }
 

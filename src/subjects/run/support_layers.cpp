@@ -73,7 +73,7 @@ void support_in_parts(SceneBuilder& scene) {
   if (at_end) scene.support_line(scene.at_difference(state.support.w), state.d);
   closest_line(scene);
   search_direction(scene);
-  if (at_end) scene.simplex_vertex(state.support, "support");
+  if (at_end) support_point(scene);
   closest_point(scene);
 }
 

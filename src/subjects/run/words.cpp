@@ -28,7 +28,9 @@ void start(const Story& story, FrameText& text) {
     return;
   }
   const int count = story.state.simplex.count;
-  if (story.run.lesson.options.start.count == 0) {
+  if (const std::string moved = story.moved(); !moved.empty()) {
+    text.caption = fmt::format("{} GJK starts anew with the {}.", moved, story.simplex_name());
+  } else if (story.run.lesson.options.start.count == 0) {
     text.caption =
         fmt::format("Start with {}, the vertex farthest along the line between the centres.",
                     story.words.face(story.state.simplex.all()));

@@ -159,8 +159,11 @@ std::shared_ptr<const AlgorithmTrace> run_both(const Lesson& lesson, const Posit
     options.start.count = static_cast<int>(std::min<std::size_t>(pairs.size(), 3));
     std::copy_n(pairs.begin(), options.start.count, options.start.pairs.begin());
   }
+  const bool is_cut_off = !second.log && log.iterations.size() == kMostIterations;
   out->runs = {alone(lesson, run_again(run, options, lesson.scalar)),
-               alone(lesson, logged_run(log, *out->judgement, run))};
+               alone(lesson, logged_run(log, *out->judgement, run,
+                                        is_cut_off ? gjk::StopReason::iteration_cap
+                                                   : gjk::StopReason::not_nearer))};
   find_shown(*out);
   return out;
 }

@@ -18,8 +18,8 @@ bool is_drawn(const Eigen::Vector3d& v) {
 /// Writes the steps of a log, one iteration after the other.
 class LoggedRun {
  public:
-  LoggedRun(const judging::Log& log, const judging::Judgement& judgement)
-      : log_(log), steps_(judgement.steps) {}
+  LoggedRun(const judging::Log& log, const judging::Judgement& judgement, gjk::StopReason stop)
+      : log_(log), steps_(judgement.steps), stop_(stop) {}
 
   WideTrace trace() {
     const std::size_t count = log_.iterations.size();
@@ -27,7 +27,7 @@ class LoggedRun {
       closest(log_.iterations[i]);
       drop();
       search(i);
-      state_.stop = i + 1 == count ? gjk::StopReason::not_nearer : gjk::StopReason::running;
+      state_.stop = i + 1 == count ? stop_ : gjk::StopReason::running;
       add(Phase::stop);
     }
     end();
@@ -137,7 +137,7 @@ class LoggedRun {
     WideResult& result = out_.result;
     result.iterations = state_.iteration;
     result.simplex = state_.simplex;
-    result.stop = gjk::StopReason::not_nearer;
+    result.stop = stop_;
     const std::optional<judging::Answer>& answer = log_.answer;
     result.distance = answer && answer->distance ? *answer->distance : std::sqrt(state_.p_sq);
     result.distance_sq = result.distance * result.distance;
@@ -150,6 +150,7 @@ class LoggedRun {
 
   const judging::Log& log_;
   const std::vector<judging::Step>& steps_;
+  gjk::StopReason stop_;
   WideTrace out_;
   WideState state_;
   WideRecord record_;
@@ -158,8 +159,8 @@ class LoggedRun {
 }  // namespace
 
 PositionedRun logged_run(const judging::Log& log, const judging::Judgement& judgement,
-                         const PositionedRun& like) {
-  PositionedRun run{like.bodies, like.time, 0, LoggedRun(log, judgement).trace(), {}};
+                         const PositionedRun& like, gjk::StopReason stop) {
+  PositionedRun run{like.bodies, like.time, 0, LoggedRun(log, judgement, stop).trace(), {}};
   for (const WideStep& step : run.trace.steps)
     run.bounds.push_back({0.0, std::sqrt(step.after.p_sq)});
   return run;
