@@ -81,7 +81,7 @@ void words(const Story& story, FrameText& text) {
                     pairs(at.at(Method::tree_cold)));
     return;
   }
-  const models::Answer& last = methods_told(story.run, story.frame.run - 1)->answer;
+  const models::Answer& last = methods_trace(story.run, story.frame.run - 1)->answer;
   const bool is_same = last.on_a == at.answer.on_a && last.on_b == at.answer.on_b;
   text.caption = fmt::format(
       "The distance is {}, between {}: with what they know GJK needs {}, Lin-Canny {}.",
