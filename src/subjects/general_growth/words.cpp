@@ -128,10 +128,10 @@ void words(const Story& story, FrameText& text) {
       text.detail +=
           fmt::format("Cutting takes n · n steps, so it ends at n = {}.", general_growth::kMostCut);
     } else {
-      text.detail +=
-          fmt::format("Since n = {} pairs of segments grow {} times, visits of boxes {}.",
-                      grouped(last->segments), grouped(sample.pairs() / last->pairs()),
-                      fixed(sample.boxes / last->boxes, 2));
+      text.detail += fmt::format(
+          "Since n = {}, pairs of segments grew {} times, and visits of boxes {} times.",
+          grouped(last->segments), grouped(sample.pairs() / last->pairs()),
+          fixed(sample.boxes / last->boxes, 2));
     }
   } else if (shown.is(GrowthPhase::time)) {
     times(shown, text);

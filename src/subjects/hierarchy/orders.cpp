@@ -106,12 +106,14 @@ Subject subject_of(const models::NodePair& pair) {
   return {Subject::Kind::tree_node, pair.a, pair.b};
 }
 
-/// The pairs that wait, as a question numbers them: where that begins depends on the visits, so
-/// that no number is always the next one's.
+/// The pairs that wait, as a question numbers them: multiples of the golden ratio say where that
+/// begins, so that no number is often the next one's.
 std::vector<models::NodePair> numbered(const models::SearchState& state) {
+  constexpr long kWhole = 65536;
+  constexpr long kGolden = 40503;  // of it
   std::vector<models::NodePair> pairs = state.waiting;
-  const long first = 3 * state.visits % static_cast<long>(pairs.size());
-  std::rotate(pairs.begin(), pairs.begin() + first, pairs.end());
+  const long part = (state.visits + 1) * kGolden % kWhole;
+  std::rotate(pairs.begin(), pairs.begin() + part * std::ssize(pairs) / kWhole, pairs.end());
   return pairs;
 }
 
