@@ -462,9 +462,10 @@ Task told(const Kind& kind, const LessonRun& run) {
     task.choices.clear();
     task.answer = weights_of(run);
   } else if (kind.on_paper == OnPaper::run) {
-    task.question =
+    task.question = fmt::format(
         "Go through GJK from S, step by step. Which support points does it find, and which test "
-        "ends the run?";
+        "ends the run: V in S, {} inside S or d = 0?",
+        run.point_query() ? "Q" : "O");
     task.asking = 0;
     task.telling = answering_index(run);
     task.choices.clear();
@@ -475,7 +476,8 @@ Task told(const Kind& kind, const LessonRun& run) {
   } else if (kind.ask == kNextEdge) {
     task.question = task.lesson.prose + " Which edge comes next?";
   } else if (kind.ask == kStop) {
-    task.asking = 0;  // Later frames show whether P = Q.
+    task.asking = 0;                           // Later frames show whether P = Q.
+    std::erase(task.choices, "V no farther");  // which holds, too, wherever V is in S
   } else if (!asking.question->pair.empty()) {
     task.choices.clear();
   }
