@@ -30,6 +30,10 @@ std::optional<bool> Practising::outcome(const Session& session) const {
   return right;
 }
 
-void Practising::next(const Session& session) { practice_.answer(*outcome(session)); }
+practice::Practice Practising::noted(const Session& session) const {
+  practice::Practice after = practice_;
+  if (const std::optional<bool> is_right = outcome(session)) after.answer(*is_right);
+  return after;
+}
 
 }  // namespace gjkscope

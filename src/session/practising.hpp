@@ -18,8 +18,10 @@ class Practising {
   [[nodiscard]] bool is_shown(const Session& session) const;
   /// Whether all answers to the task that is shown were right; nothing before all are given.
   [[nodiscard]] std::optional<bool> outcome(const Session& session) const;
-  /// Notes the outcome, which there must be. The next task is to be opened.
-  void next(const Session& session);
+  /// The practice after the task that is shown, if all its questions were answered: on to the next.
+  [[nodiscard]] practice::Practice noted(const Session& session) const;
+  /// Goes on to the next task, which is to be opened.
+  void next(const Session& session) { practice_ = noted(session); }
 
  private:
   practice::Practice practice_;

@@ -364,7 +364,7 @@ std::string Player::shown(const std::string& understood) {
       out["answers"]["away"] = Numbers(lesson)((*last.pointed - *last.place).norm());
   }
   if (practising_) {
-    const practice::Practice& practice = practising_->practice();
+    const practice::Practice practice = practising_->noted(session_);
     out["practice"] = {{"chapter", practice.chapter()},
                        {"chapters", practice::chapters_with_practice()},
                        {"seed", practice.seed()},

@@ -1854,8 +1854,12 @@ action("practice gives task after task, and goes on where it was left", async (v
     await rest(page);
   }
   assert.equal(seen.size, 4, "each task has other shapes");
+  await answerTask(page);
+  await page.reload();
+  await ready(page);
+  assert.equal((await state(page)).practice.answers.length, 5, "a task that was answered is not asked again");
   const { practice, shapes } = await state(page);
-  assert.match(await text(page, "so-far"), new RegExp(`^${practice.right} of 4 tasks right, ${practice.repeating} to repeat\\.`));
+  assert.match(await text(page, "so-far"), new RegExp(`^${practice.right} of 5 tasks right, ${practice.repeating} to repeat\\.`));
   await page.reload();
   await ready(page);
   assert.deepEqual((await state(page)).shapes, shapes);

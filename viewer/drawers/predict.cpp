@@ -49,10 +49,16 @@ struct Predict {
     show_task();
   }
 
+  /// An answered task is not asked again where the window is closed before the next.
+  void note_outcome() {
+    const practice::Practice& practice = practising->practice();
+    Memory::Practised& known = app.practised(practice.chapter());
+    if (has_answered_task() && known.answers.size() == practice.answers().size())
+      known.answers = practising->noted(session()).answers();
+  }
+
   void next_task() {
     practising->next(session());
-    const practice::Practice& practice = practising->practice();
-    app.practised(practice.chapter()).answers = practice.answers();
     show_task();
   }
   [[nodiscard]] bool has_answered_task() const {
@@ -71,7 +77,9 @@ struct Predict {
       if (ImGui::Button(fmt::format("{}##practice", chapter).c_str())) practise(chapter);
       tip(fmt::format("Practise chapter {}", chapter), tips::kBelow, ImGui::IsItemHovered());
     }
+    app.draw_button("Forget what was done", -1.0f);
     if (!practising) return;
+    note_outcome();
     const practice::Practice& practice = practising->practice();
     if (const std::size_t answered = practice.answers().size(); answered > 0)
       wrapped_text(fmt::format("Chapter {}: {} of {} tasks right, {} to repeat", practice.chapter(),
