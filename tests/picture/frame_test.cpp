@@ -313,9 +313,11 @@ TEST(Timeline, WithAllQuestionsFillsItsWidthAndKeepsItsStart) {
 }
 
 TEST(Timeline, ManyGroupsAreNumbered) {
-  const LessonRun run = run_lesson(testing::told_lesson("hierarchy-circles"));
+  Lesson lesson = testing::told_lesson("hierarchy-circles");
+  lesson.questions = {{"win", {}}};  // then each visit has a frame of its own
+  const LessonRun run = run_lesson(lesson);
   const auto words = timeline_words(run, static_cast<int>(run.frames.size()) - 1);
-  for (const char* number : {"1", "9", "14", "35"})
+  for (const char* number : {"9", "10", "30"})
     EXPECT_NE(std::find(words.begin(), words.end(), number), words.end()) << number;
 }
 
