@@ -2,6 +2,7 @@
 // The words and numbers that go with a frame.
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,6 +31,9 @@ struct Spot {
   Eigen::Vector3d to;
   double reach = 0.0;  ///< How far around it is meant, too.
 };
+
+/// The middle of a triangle, with half of the room around it.
+[[nodiscard]] Spot spot_of_triangle(ViewKind view, const std::array<Eigen::Vector3d, 3>& corners);
 
 /// The question of a frame.
 struct FrameQuestion {

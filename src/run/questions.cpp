@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "lesson/load.hpp"
 #include "lesson/vocabulary.hpp"
+#include "outlines/polyhedron.hpp"
 
 namespace gjkscope {
 
@@ -31,6 +33,16 @@ bool is_tie(const std::vector<gjk::ScanEntry<double>>& scan, const LessonShape& 
 bool ends_by_itself(gjk::StopReason reason) {
   return reason != gjk::StopReason::running && reason != gjk::StopReason::failed &&
          reason != gjk::StopReason::iteration_cap && reason != gjk::StopReason::within_tolerance;
+}
+
+/// Whether the closest point in space lies at a vertex or on an edge: a face cannot be pointed at
+/// by a place.
+bool is_on_edge(const std::vector<Eigen::Vector3d>& points, const std::set<int>& closest) {
+  if (points.size() < 2 || closest.size() != 2) return points.size() > 1 && closest.size() == 1;
+  const Polyhedron hull = hull_in_space(points);
+  return std::any_of(hull.edges.begin(), hull.edges.end(), [&](const Polyhedron::Edge& edge) {
+    return closest == std::set<int>{edge.from, edge.to};
+  });
 }
 
 }  // namespace
@@ -75,8 +87,16 @@ const WideState& state_before(const WideTrace& trace, int step) {
 bool has_closest(const LessonRun& run, const Frame& frame, std::string_view ask) {
   const WideResult& result = run.run(frame).trace.result;
   if (frame.step < 0 || !(result.distance > 0.0)) return false;
-  if (run.lesson.dimension == 3) return false;  // a point of a picture is a line in space
-  const LessonShape& shape = ask == asks::kClosestX.name ? run.lesson.x() : run.lesson.y();
+  const bool of_x = ask == asks::kClosestX.name;
+  if (run.lesson.dimension == 3) {
+    std::set<int> closest;
+    for (int i = 0; i < result.simplex.count; ++i) {
+      const gjk::VertexPair& pair = result.simplex.vertices[i].pair;
+      closest.insert(of_x ? pair.x : pair.y);
+    }
+    return is_on_edge(run.run(frame).bodies[of_x ? 0 : 1].world, closest);
+  }
+  const LessonShape& shape = of_x ? run.lesson.x() : run.lesson.y();
   if (shape.vertices.size() < 2) return false;
   bool along_x = false;
   bool along_y = false;

@@ -371,15 +371,7 @@ void facet_question(const LessonRun& run, const ShownInSpace& shown, FrameText& 
   for (const int face : shown.faces()) {
     if (!of_nearest && face == shown.state.face) continue;
     asked.choices.push_back(name(face));
-    const std::array<Eigen::Vector3d, 3> corners = shown.corners(face);
-    double within = HUGE_VAL;  // half of what a circle in the face has
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Eigen::Vector3d way = (corners[(i + 1) % 3] - corners[i]).normalized();
-      const Eigen::Vector3d to_middle = shown.middle(face) - corners[i];
-      within = std::min(within, 0.5 * (to_middle - way * way.dot(to_middle)).norm());
-    }
-    asked.spots.push_back(
-        Spot{ViewKind::difference, shown.middle(face), shown.middle(face), within});
+    asked.spots.emplace_back(spot_of_triangle(ViewKind::difference, shown.corners(face)));
     if (of_nearest ? face == shown.state.face : shown.is_visible(face)) asked.answer = name(face);
   }
   text.caption =

@@ -1,14 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 #include "outlines/polygon.hpp"
+#include "outlines/polyhedron.hpp"
 #include "picture/story.hpp"
 #include "run/questions.hpp"
 #include "subjects/run/refuting.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::captions {
 namespace {
@@ -155,6 +158,7 @@ class Asking {
 
   void sign() {
     const WideSimplex& simplex = before_.simplex;
+    if (run_.lesson.dimension == 3) return sign_in_space(simplex);
     const gjk::Barycentric<double, 2> weights = gjk::barycentric(in_plane(simplex), simplex.all());
     constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
     asked_.choices = {"none"};
@@ -183,6 +187,33 @@ class Asking {
                   "Question: which of u, v and w is negative? Point at the edge that {} lies "
                   "beyond.",
                   story_.q);
+  }
+
+  /// The faces of a tetrahedron, each opposite to the vertex of a weight.
+  void sign_in_space(const WideSimplex& simplex) {
+    const Frame answering{.run = story_.frame.run, .step = story_.frame.answering_step};
+    const std::vector<double> weights = story_.effects.get<BarycentricWeights>(answering).weights;
+    const auto at = [&](int i) { return story_.positioned.y().world[simplex.vertices[i].pair.y]; };
+    asked_.choices = {"none"};
+    asked_.spots = {std::nullopt};
+    for (int left_out = simplex.count - 1; left_out >= 0; --left_out) {
+      const auto face = static_cast<gjk::Face>(simplex.all() & ~(1u << left_out));
+      std::array<Eigen::Vector3d, 3> corners;
+      for (int i = 0, k = 0; i < simplex.count; ++i)
+        if (i != left_out) corners[k++] = at(i);
+      asked_.choices.push_back(words_.face(face));
+      asked_.spots.emplace_back(spot_of_triangle(ViewKind::world, corners));
+      if (weights[left_out] < 0.0) asked_.answer = asked_.choices.back();
+    }
+    const auto negative =
+        std::count_if(weights.begin(), weights.end(), [](double each) { return each < 0.0; });
+    asked_.choices.emplace_back("several");
+    asked_.spots.emplace_back();
+    if (negative != 1) asked_.answer = negative == 0 ? "none" : "several";
+    text_.caption = fmt::format(
+        "Question: which face of {} does {} lie beyond, so that the weight of the vertex opposite "
+        "to it is negative? Point at it.",
+        words_.face(simplex.all()), story_.q);
   }
 
   void foot() {
@@ -329,8 +360,8 @@ void closest_question(const Story& story, FrameText& text) {
   const bool of_x = ask == asks::kClosestX.name;
   const LessonShape& shape = of_x ? story.run.lesson.x() : story.run.lesson.y();
   const LessonShape& other = of_x ? story.run.lesson.y() : story.run.lesson.x();
-  const std::vector<Eigen::Vector2d> points =
-      in_plane(of_x ? story.positioned.x().world : story.positioned.y().world);
+  const std::vector<Eigen::Vector3d>& points =
+      of_x ? story.positioned.x().world : story.positioned.y().world;
   const WideResult& result = story.trace.result;
   const auto is_closest = [&](int vertex) {
     return std::any_of(
@@ -338,13 +369,23 @@ void closest_question(const Story& story, FrameText& text) {
         [&](const WideVertex& each) { return (of_x ? each.pair.x : each.pair.y) == vertex; });
   };
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
-  const std::vector<int> hull = convex_hull(points);
   const auto add = [&](int from, int to) {
     const std::string& first = shape.vertex_names[from];
     asked.choices.push_back(from == to ? first : first + shape.vertex_names[to]);
     asked.spots.push_back(Spot{ViewKind::world, points[from], points[to]});
     if (is_closest(from) && is_closest(to)) asked.answer = asked.choices.back();
   };
+  if (story.run.lesson.dimension == 3) {
+    const Polyhedron hull = hull_in_space(points);
+    for (const int vertex : hull.vertices) add(vertex, vertex);
+    for (const Polyhedron::Edge& edge : hull.edges)
+      add(std::min(edge.from, edge.to), std::max(edge.from, edge.to));
+    text.caption =
+        fmt::format("Question: which vertex or edge of {} is closest to {}? Point at it.",
+                    shape.name, other.name);
+    return;
+  }
+  const std::vector<int> hull = convex_hull(in_plane(points));
   for (const int vertex : hull) add(vertex, vertex);
   for (std::size_t i = 0; i < (hull.size() > 2 ? hull.size() : hull.size() - 1); ++i)
     add(std::min(hull[i], hull[(i + 1) % hull.size()]),
