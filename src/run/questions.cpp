@@ -75,8 +75,17 @@ const WideState& state_before(const WideTrace& trace, int step) {
 bool has_closest(const LessonRun& run, const Frame& frame, std::string_view ask) {
   const WideResult& result = run.run(frame).trace.result;
   if (frame.step < 0 || !(result.distance > 0.0)) return false;
-  if (run.lesson.dimension == 3) return false;  // a point of a picture is a line in space
-  const LessonShape& shape = ask == asks::kClosestX.name ? run.lesson.x() : run.lesson.y();
+  const bool of_x = ask == asks::kClosestX.name;
+  if (run.lesson.dimension ==
+      3) {  // a point of a picture is a line in space: a feature is asked for
+    for (int i = 1; i < result.simplex.count; ++i) {
+      const gjk::VertexPair first = result.simplex.vertices[0].pair;
+      const gjk::VertexPair pair = result.simplex.vertices[i].pair;
+      if (of_x ? pair.x != first.x : pair.y != first.y) return true;
+    }
+    return false;
+  }
+  const LessonShape& shape = of_x ? run.lesson.x() : run.lesson.y();
   if (shape.vertices.size() < 2) return false;
   bool along_x = false;
   bool along_y = false;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
+#include "outlines/minkowski.hpp"
 #include "outlines/polygon.hpp"
 #include "picture/story.hpp"
 #include "run/questions.hpp"
@@ -153,7 +155,33 @@ class Asking {
                                 words_.face(before_.simplex.all()), story_.q);
   }
 
+  void sign_in_space() {
+    const WideSimplex& simplex = before_.simplex;
+    const gjk::Barycentric<double, 3> weights = gjk::barycentric(simplex, simplex.all());
+    constexpr std::array<std::string_view, 4> kLetters = {"u", "v", "w", "t"};
+    asked_.choices = {"none"};
+    asked_.spots = {std::nullopt};
+    for (int i = 0; i < simplex.count; ++i) {
+      const int vertex = simplex.vertices[i].pair.y;
+      const Eigen::Vector3d& at = run_.run(story_.frame).y().world[vertex];
+      asked_.choices.emplace_back(kLetters[i]);
+      asked_.spots.push_back(Spot{ViewKind::world, at, at});
+    }
+    asked_.choices.emplace_back("several");
+    asked_.spots.emplace_back();
+    int negative = 0;
+    asked_.answer = "none";
+    for (int i = 0; i < simplex.count; ++i) {
+      if (weights.numerator[i] < 0.0)
+        asked_.answer = ++negative == 1 ? asked_.choices[i + 1] : asked_.choices.back();
+    }
+    text_.caption = fmt::format(
+        "Question: which of u, v, w and t, the weights of {}, is negative? Point at its vertex.",
+        words_.face(simplex.all()));
+  }
+
   void sign() {
+    if (run_.lesson.dimension == 3) return sign_in_space();
     const WideSimplex& simplex = before_.simplex;
     const gjk::Barycentric<double, 2> weights = gjk::barycentric(in_plane(simplex), simplex.all());
     constexpr std::array<std::string_view, 3> kLetters = {"u", "v", "w"};
@@ -324,9 +352,49 @@ void question(const Story& story, FrameText& text) {
   if (ask == asks::kDirection.name) asking.direction();
 }
 
+namespace {
+
+/// In space: chosen from the vertices that P has weight on, pairs with one of them, and all of
+/// them.
+void closest_feature_question(const Story& story, FrameText& text, bool of_x) {
+  const LessonShape& shape = of_x ? story.run.lesson.x() : story.run.lesson.y();
+  const Body& body = of_x ? story.positioned.x() : story.positioned.y();
+  std::set<int> vertices;
+  const WideSimplex& simplex = story.trace.result.simplex;
+  for (int i = 0; i < simplex.count; ++i)
+    vertices.insert(of_x ? simplex.vertices[i].pair.x : simplex.vertices[i].pair.y);
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = story.run.asked(story.frame).ask;
+  const auto add = [&](int from, int to) {
+    const std::string& first = shape.vertex_names[from];
+    asked.choices.push_back(from == to ? first : first + shape.vertex_names[to]);
+    asked.spots.push_back(Spot{ViewKind::world, body.world[from], body.world[to]});
+  };
+  for (const int vertex : vertices) add(vertex, vertex);
+  const auto count = static_cast<int>(shape.vertex_names.size());
+  for (int from = 0; from < count; ++from) {
+    for (int to = from + 1; to < count; ++to) {
+      if (vertices.contains(from) || vertices.contains(to)) add(from, to);
+    }
+  }
+  std::string all;
+  for (const int vertex : vertices) all += shape.vertex_names[vertex];
+  if (vertices.size() > 2) {
+    asked.choices.push_back(all);
+    asked.spots.emplace_back();
+  }
+  asked.answer = std::move(all);
+  text.caption =
+      fmt::format("Question: which vertex, edge or face of {} holds the point closest to {}?",
+                  shape.name, (of_x ? story.run.lesson.y() : story.run.lesson.x()).name);
+}
+
+}  // namespace
+
 void closest_question(const Story& story, FrameText& text) {
   const std::string& ask = story.run.asked(story.frame).ask;
   const bool of_x = ask == asks::kClosestX.name;
+  if (story.run.lesson.dimension == 3) return closest_feature_question(story, text, of_x);
   const LessonShape& shape = of_x ? story.run.lesson.x() : story.run.lesson.y();
   const LessonShape& other = of_x ? story.run.lesson.y() : story.run.lesson.x();
   const std::vector<Eigen::Vector2d> points =
@@ -354,6 +422,44 @@ void closest_question(const Story& story, FrameText& text) {
   asked.place = in_plane(of_x ? result.x : result.y) + shape.radius * way.normalized();
   text.caption = fmt::format("Question: which point of {} is closest to {}? Point at it.",
                              shape.name, other.name);
+}
+
+void closest_of_difference_question(const Story& story, FrameText& text) {
+  const std::vector<CloudPoint> corners =
+      minkowski_hull(in_plane(story.positioned.x().world), in_plane(story.positioned.y().world));
+  const Eigen::Vector2d p = in_plane(story.trace.result.y) - in_plane(story.trace.result.x);
+  const bool at_corner = story.trace.result.simplex.count == 1;
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(asks::kClosestZ.name), {}, {}});
+  double least = std::numeric_limits<double>::infinity();
+  const auto add = [&](const CloudPoint& from, const CloudPoint& to, bool is_corner) {
+    const std::string name = story.run.pair_name(from.pair);
+    asked.choices.push_back(is_corner ? name : name + " to " + story.run.pair_name(to.pair));
+    asked.spots.push_back(Spot{ViewKind::difference, from.z, to.z});
+    const Eigen::Vector2d way = to.z - from.z;
+    const double along =
+        is_corner ? 0.0 : std::clamp((p - from.z).dot(way) / way.dot(way), 0.0, 1.0);
+    const Eigen::Vector2d off = from.z + along * way - p;
+    if (is_corner != at_corner || !(off.dot(off) < least)) return;
+    least = off.dot(off);
+    asked.answer = asked.choices.back();
+  };
+  for (const CloudPoint& corner : corners) add(corner, corner, true);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    add(corners[i], corners[(i + 1) % corners.size()], false);
+  asked.place = p;
+  text.caption = "Question: which point of Z is closest to O? Point at it.";
+}
+
+void overlap_question(const Story& story, FrameText& text) {
+  const std::string& x = story.run.lesson.x().name;
+  const std::string& y = story.run.lesson.y().name;
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(asks::kOriginIn.name), {}, {}});
+  asked.choices = {fmt::format("O lies in Z: {} and {} share a point", x, y),
+                   fmt::format("O lies outside Z: {} and {} are apart", x, y)};
+  asked.answer = asked.choices[story.trace.result.distance > 0.0 ? 1 : 0];
+  text.caption = fmt::format("Question: look at Z and O alone. Do {} and {} share a point?", x, y);
 }
 
 }  // namespace gjkscope::captions
