@@ -21,6 +21,10 @@ inline constexpr AskInfo kClosestX{"closest-x", "the closest point of X: where i
                                    "at position"};
 inline constexpr AskInfo kClosestY{"closest-y", "the closest point of Y: where it is",
                                    "at position"};
+inline constexpr AskInfo kClosestZ{"closest-z", "the point of Z closest to O: where it is",
+                                   "at position"};
+inline constexpr AskInfo kOriginIn{"origin-in", "whether O lies in Z, so that the shapes overlap",
+                                   "at position"};
 inline constexpr AskInfo kSign{"sign", "which barycentric coordinate is negative", "at position"};
 inline constexpr AskInfo kFoot{"foot", "the foot of the perpendicular: where it is", "at position"};
 inline constexpr AskInfo kWhatIf{

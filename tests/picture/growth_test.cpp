@@ -21,6 +21,7 @@ Lesson small_lesson() {
   Lesson lesson = testing::shipped_lesson("lazy-hull");
   lesson.table.edit<LessonGrowth>().vertices = {3, 10, 100, 1000, 3000};
   lesson.table.edit<LessonGrowth>().runs = 20;
+  lesson.questions.clear();
   return lesson;
 }
 
@@ -102,6 +103,19 @@ TEST(GrowthPicture, PlotsShowWhatFramesHaveToldAndSetOffTheFramesOwn) {
     EXPECT_EQ(count(frames[i], "plot.first.label"), 2);
     EXPECT_EQ(count(frames[i], "plot.current"), detail >= 0 && detail < 5 ? 2 : 0);
   }
+}
+
+TEST(GrowthPicture, AsksHowIterationsGrowAtPlacesOfThePlot) {
+  Lesson lesson = small_lesson();
+  lesson.questions = {{"iterations", 2}};
+  const Told told(lesson);
+  const auto asks = std::find_if(told.texts.begin(), told.texts.end(),
+                                 [](const FrameText& text) { return text.question.has_value(); });
+  ASSERT_NE(asks, told.texts.end());
+  EXPECT_EQ(asks->question->choices.size(), 3u);
+  EXPECT_EQ(asks->question->subjects.size(), 3u);
+  EXPECT_NE(asks->question->answer, "as n");
+  EXPECT_TRUE(holds((asks + 1)->detail, "as n")) << "why not: " << (asks + 1)->detail;
 }
 
 TEST(GrowthPicture, OtherLessonsMeasureNothing) {

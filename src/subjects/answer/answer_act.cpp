@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "run/questions.hpp"
 #include "subjects/answer/subject.hpp"
 #include "subjects/run/subject.hpp"
@@ -20,9 +23,27 @@ Tick answer_tick(const LessonRun& run, const Frame& frame) {
                                feature_name(run, result.simplex, false))};
 }
 
+constexpr std::array kAnswerAsks = {asks::kClosestX, asks::kClosestY, asks::kClosestZ,
+                                    asks::kOriginIn};
+
 int answer_step(const LessonRun& run, const Frame&, const Frame& frame,
                 const LessonQuestion& question) {
-  return is_at(frame, question) && has_closest(run, frame, question.ask) ? frame.step : -1;
+  const bool is_of_z = question.ask == asks::kClosestZ.name || question.ask == asks::kOriginIn.name;
+  const bool shows_z =
+      run.lesson.dimension == 2 &&
+      std::any_of(run.lesson.views.begin(), run.lesson.views.end(),
+                  [](const LessonView& view) { return view.kind == ViewKind::difference; });
+  if (!is_at(frame, question) || (is_of_z && !shows_z)) return -1;
+  const bool is_open =
+      question.ask == asks::kOriginIn.name || has_closest(run, frame, question.ask);
+  return is_open ? frame.step : -1;
+}
+
+void answer_question(const Story& story, FrameText& text) {
+  const std::string& ask = story.run.asked(story.frame).ask;
+  if (ask == asks::kOriginIn.name) return captions::overlap_question(story, text);
+  if (ask == asks::kClosestZ.name) return captions::closest_of_difference_question(story, text);
+  captions::closest_question(story, text);
 }
 
 /// At the new place, before anything is known of it.
@@ -38,7 +59,7 @@ const Act kAnswer{
               .why_no_until = "frames show how the run ends"},
     .add_frames = answer_frames,
     .sweeps = true,
-    .asks = asks::kOfAnswers,
+    .asks = kAnswerAsks,
     .answering_step = answer_step,
     .asking = answer_asking,
     .algorithm = &kGjkAlgorithm,
@@ -46,7 +67,7 @@ const Act kAnswer{
     .tick = answer_tick,
     .words = captions::answer,
     .stage = layers::answer,
-    .question = captions::closest_question,
+    .question = answer_question,
 };
 
 }  // namespace gjkscope::acts

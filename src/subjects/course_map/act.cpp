@@ -29,8 +29,8 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
     {"Point to triangle", "Chapter 2: which point of a triangle is closest to Q?",
      "Each edge is a segment, so chapter 1 is used three times. New: areas, and the inside."},
     {"Point to polygon", "Chapter 3: which point of a convex polygon is closest to Q? This is GJK.",
-     "A triangle inside the polygon stands in for it. A loop changes the triangle until it holds "
-     "the answer."},
+     "A triangle inside the polygon stands in for it; a segment has no inside. A loop changes it "
+     "until it holds the answer."},
     {"Polygon to polygon", "Chapter 4: which points of two convex polygons are closest?",
      "The differences of their points form one polygon, and the origin O stands in for Q."},
     {"Minkowski sums", "Chapter 5: what else the difference of two shapes tells.",
@@ -98,8 +98,8 @@ void question(const Story& story, FrameText& text) {
   text.caption = next == kOfGjk
                      ? "Question: the closest points of two polygons. Which solved problem can "
                        "this become?"
-                     : "Question: picture 3 shows a polygon. Which solved problem is of use in it, "
-                       "again and again?";
+                     : "Question: picture 3 shows a polygon. Which is the largest solved problem "
+                       "that fits into it, again and again?";
 }
 
 void words(const Story& story, FrameText& text) {

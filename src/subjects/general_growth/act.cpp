@@ -33,14 +33,15 @@ Tick tick(const LessonRun& run, const Frame& frame) {
 
 constexpr std::array kAsks = {kAskVisits, kAskAgrees};
 
-/// The claim about coherence (not exploited in 1998) is never asked about: no count bears it out.
+/// Claims about coherence (not exploited in 1998) and about spheres are not asked about: nothing
+/// that was measured bears on them.
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
   const auto is_asked = [&](int number) { return question.at.value_or(number) == number; };
   const bool answers = question.ask == kAskVisits.name
                            ? shown.is(GrowthPhase::size) && shown.over > 1 && is_asked(shown.over)
-                           : shown.is(GrowthPhase::claim) && shown.claim() != Claim::coherence &&
+                           : shown.is(GrowthPhase::claim) && shown.claim() < Claim::coherence &&
                                  is_asked(shown.claim_number());
   return answers ? shown.over - 1 : -1;
 }

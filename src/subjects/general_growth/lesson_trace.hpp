@@ -31,6 +31,7 @@ class GeneralGrowthTrace final : public AlgorithmTrace {
                                             const PositionedRun& run) const override;
 
   /// Whether the largest outlines bear it out: by the times where there are some, else by counts.
+  /// Nothing measured bears on the claims about coherence and spheres.
   [[nodiscard]] bool agrees(Claim claim) const;
 
   std::vector<general_growth::Sample> samples;

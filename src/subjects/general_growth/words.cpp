@@ -52,6 +52,11 @@ void claim(const Shown& shown, FrameText& text) {
           "With n = {} distance visits {} pairs of nodes, collision {}: it may stop at a gap, "
           "and distance must go on to leaves.",
           n, grouped(last.boxes), grouped(last.collide));
+      if (times)
+        text.detail += fmt::format(
+            " A pair takes {} and {}: both searches here compute how far boxes are apart.",
+            time_text(times->boxes.back() / last.boxes),
+            time_text(times->collide.back() / last.collide));
       break;
     case Claim::coherence:
       text.caption = fmt::format("Larsen: {}. That was 1998; here it is.", said(shown.claim()));
@@ -61,9 +66,10 @@ void claim(const Shown& shown, FrameText& text) {
           fixed(100.0 * last.remembered / last.boxes, 0));
       break;
     case Claim::spheres:
-      text.caption = fmt::format("Larsen: {}. {}", said(shown.claim()), verdict(shown));
+      text.caption = fmt::format("Larsen: {}. That is not measured here.", said(shown.claim()));
       text.detail = fmt::format(
-          "Circles around segments visit {} pairs, boxes {}{}. Quinlan's tiles are not measured.",
+          "Quinlan's spheres tile triangles. Circles around whole segments visit {} pairs, boxes "
+          "{}{}.",
           grouped(last.circles), grouped(last.boxes),
           times ? fmt::format(", in {} and {}", time_text(times->circles.back()),
                               time_text(times->boxes.back()))

@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "run/questions.hpp"
 #include "subjects/growth/growth.hpp"
+#include "subjects/growth/plots.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/growth/table.hpp"
 #include "subjects/run/subject.hpp"
@@ -90,11 +90,13 @@ bool growth_fill(SceneBuilder& scene, const Fonts& fonts) {
   return true;
 }
 
-constexpr std::array kGrowthAsks = {asks::kSupport};
+constexpr std::array kGrowthAsks = {kAskIterations};
 
-int growth_answer(const LessonRun& run, const Frame& before, const Frame& frame,
+int growth_answer(const LessonRun& run, const Frame&, const Frame& frame,
                   const LessonQuestion& question) {
-  return shown_size(run, frame) ? -1 : answering_step_of_run(run, before, frame, question);
+  const int size = shown_size(run, frame).value_or(0);
+  const bool answers = size > 0 && vertices_of(run, frame) != nullptr;
+  return answers && question.at.value_or(size + 1) == size + 1 ? frame.step : -1;
 }
 
 std::string growth_plot_title(const LessonRun&) { return "Iterations as polygons grow"; }
@@ -118,6 +120,7 @@ const Act kGrowth{
     .tick = growth_tick,
     .words = growth_words,
     .stage = layers::stage_step,
+    .question = captions::growth_question,
     .values = growth_values,
     .fill = growth_fill,
     .plot_title = growth_plot_title,

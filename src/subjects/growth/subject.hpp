@@ -37,6 +37,7 @@ namespace captions {
 
 /// A size of polygons, or, after the last one, what all of them say.
 void growth(const Story& story, FrameText& text);
+void growth_question(const Story& story, FrameText& text);
 
 }  // namespace captions
 

@@ -5,6 +5,7 @@
 
 #include "picture/story.hpp"
 #include "subjects/growth/growth.hpp"
+#include "subjects/growth/plots.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/growth/table.hpp"
 
@@ -84,6 +85,31 @@ void growth(const Story& story, FrameText& text) {
   const auto index = static_cast<std::size_t>(*shown_size(story.run, story.frame));
   if (index < measured.size()) return size(measured[index], text);
   outcome(measured, story.run.lesson.table.as<LessonGrowth>()->tolerance, text);
+}
+
+void growth_question(const Story& story, FrameText& text) {
+  const LessonGrowth& growth = *story.run.lesson.table.as<LessonGrowth>();
+  const Growth::Value& measured = story.effects.get<Growth>(story.frame);
+  const int size = *shown_size(story.run, story.frame) + 1;
+  const double before = measured[size - 1].iterations;
+  const std::array<WayToGrow, 3> ways = ways_to_grow(growth, size);
+  const auto off = [&](const WayToGrow& way) {
+    return std::abs(std::log(measured[size].iterations / before / way.ratio));
+  };
+  FrameQuestion& asked = text.question.emplace();
+  asked.ask = kAskIterations.name;
+  for (const WayToGrow& way : ways) {
+    asked.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(asked.choices.size())});
+    asked.choices.push_back(way.name);
+  }
+  asked.answer = std::min_element(ways.begin(), ways.end(), [&](const auto& a, const auto& b) {
+                   return off(a) < off(b);
+                 })->name;
+  asked.refuted = fmt::format("Twice as many would be {}, as n {}.",
+                              fixed(before * ways[1].ratio, 1), fixed(before * ways[2].ratio, 1));
+  text.caption =
+      fmt::format("Question: from n = {} to {}, how do the iterations grow? Point at a place.",
+                  grouped(measured[size - 1].vertices), grouped(measured[size].vertices));
 }
 
 }  // namespace gjkscope::captions

@@ -55,7 +55,7 @@ void features(PanelBuilder& panel) {
   panel.row("fx", shown.name(true));
   panel.row("fy", shown.name(false));
   panel.row("swaps", std::to_string(shown.state.swaps));
-  if (!shown.knows_pair() || shown.is_answer) return;
+  if (!shown.is(WalkPhase::regions)) return;
   for (const bool of_x : {true, false}) {
     for (const Border& border : shown.borders(of_x)) {
       if (border.neighbour == shown.feature(of_x) && !shown.walk.query->convex) continue;

@@ -138,7 +138,10 @@ void orders(const Story& story, FrameText& text) {
         taken, story.numbers(chain.error));
     const bool off = std::any_of(chain.weights.begin(), chain.weights.end(),
                                  [](double weight) { return weight < 0.0; });
-    text.detail = fmt::format(
+    if (stage == OrderStage::vertices_first_short)
+      text.detail = fmt::format("P lies on {}, which {} projects onto. ",
+                                feature(story, story.state.region), story.q);
+    text.detail += fmt::format(
         "{} Next: {}.",
         off ? fmt::format("P′, the projection of {} onto the line {}, is not on the edge.", story.q,
                           taken)

@@ -51,6 +51,12 @@ std::string region_in_space(const Story& story, const gjk::RegionTest<double>& w
           "projects into.",
           story.words.face(simplex.all()), story.words.face(face), story.q);
     }
+    if (size == 3 && term.numerator == 0.0) {
+      return fmt::format(
+          "{0} lies in the {1}: the weight of {2} is 0, so {0} is neither before nor behind its "
+          "plane.",
+          story.q, name, opposite);
+    }
     if (size == 3) {
       return fmt::format(
           "{} lies beyond the {}, seen from {} (volume fraction {}), and projects "

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 
@@ -288,13 +289,20 @@ void support_listing(PanelBuilder& panel) {
   write_line(panel, "return V", {state, {}, best});
 }
 
-/// Catto 2010, slides on the data structures. The vertex is the newest of the simplex.
+/// Catto 2010, slides "If all else fails", "Polygon structure" and on those of the simplex. The
+/// vertex is the newest of the simplex.
 void structures_listing(PanelBuilder& panel) {
   const WideSimplex& simplex = panel.state.simplex;
   const int newest = simplex.count - 1;
   const WideVertex& vertex = simplex.vertices[newest];
   const Eigen::Vector3d point = vertex.w + panel.run.run(panel.frame).x().world[0];
   const bool weighed = panel.knows.phase && *panel.knows.phase != Phase::add;
+  const auto& names = panel.run.lesson.y().vertex_names;
+  write_line(panel, "Input", {State::past, {}, panel.run.lesson.y().name + ", Q"});
+  write_line(panel, "Output", {State::past, {}, "P, |P − Q|, iterations"});
+  write_line(panel, "Polygon", {State::past, {}, panel.run.lesson.y().name});
+  write_line(panel, "  points", {State::idle, {}, fmt::format("{}", fmt::join(names, ", "))});
+  write_line(panel, "  count", {State::idle, {}, std::to_string(names.size())});
   write_line(panel, "SimplexVertex", {State::past, {}, panel.words.vertex(newest)});
   write_line(panel, "  point: where it is", {State::idle, {}, panel.numbers.point(point)});
   write_line(panel, "  index: which vertex, from 0",

@@ -34,9 +34,11 @@ int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
   const bool is_on_map = question.ask == asks::kRegion.name || question.ask == asks::kClosest.name;
   const bool has_map =
       run.lesson.calls_for(VoronoiRegions::kName) || run.lesson.calls_for(RegionSolid::kName);
-  const std::string_view parts =
-      run.lesson.dimension == 3 ? FacesBefore::kName : BarycentricParts::kName;
-  const bool shows = is_on_map ? has_map : run.lesson.calls_for(parts);
+  const bool in_space = run.lesson.dimension == 3;
+  const bool shows = is_on_map  ? has_map
+                     : in_space ? question.ask == asks::kSign.name && count == 4 &&
+                                      run.lesson.calls_for(FacesBefore::kName)
+                                : run.lesson.calls_for(BarycentricParts::kName);
   if (!shows || count < 2 || (question.ask == asks::kFoot.name && count != 2)) return -1;
   return frame.step;
 }

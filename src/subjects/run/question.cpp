@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
+#include "outlines/minkowski.hpp"
 #include "outlines/polygon.hpp"
 #include "outlines/polyhedron.hpp"
 #include "picture/story.hpp"
@@ -395,6 +397,44 @@ void closest_question(const Story& story, FrameText& text) {
   asked.place = in_plane(of_x ? result.x : result.y) + shape.radius * way.normalized();
   text.caption = fmt::format("Question: which point of {} is closest to {}? Point at it.",
                              shape.name, other.name);
+}
+
+void closest_of_difference_question(const Story& story, FrameText& text) {
+  const std::vector<CloudPoint> corners =
+      minkowski_hull(in_plane(story.positioned.x().world), in_plane(story.positioned.y().world));
+  const Eigen::Vector2d p = in_plane(story.trace.result.y) - in_plane(story.trace.result.x);
+  const bool at_corner = story.trace.result.simplex.count == 1;
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(asks::kClosestZ.name), {}, {}});
+  double least = std::numeric_limits<double>::infinity();
+  const auto add = [&](const CloudPoint& from, const CloudPoint& to, bool is_corner) {
+    const std::string name = story.run.pair_name(from.pair);
+    asked.choices.push_back(is_corner ? name : name + " to " + story.run.pair_name(to.pair));
+    asked.spots.push_back(Spot{ViewKind::difference, from.z, to.z});
+    const Eigen::Vector2d way = to.z - from.z;
+    const double along =
+        is_corner ? 0.0 : std::clamp((p - from.z).dot(way) / way.dot(way), 0.0, 1.0);
+    const Eigen::Vector2d off = from.z + along * way - p;
+    if (is_corner != at_corner || !(off.dot(off) < least)) return;
+    least = off.dot(off);
+    asked.answer = asked.choices.back();
+  };
+  for (const CloudPoint& corner : corners) add(corner, corner, true);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    add(corners[i], corners[(i + 1) % corners.size()], false);
+  asked.place = p;
+  text.caption = "Question: which point of Z is closest to O? Point at it.";
+}
+
+void overlap_question(const Story& story, FrameText& text) {
+  const std::string& x = story.run.lesson.x().name;
+  const std::string& y = story.run.lesson.y().name;
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(asks::kOriginIn.name), {}, {}});
+  asked.choices = {fmt::format("O lies in Z: {} and {} share a point", x, y),
+                   fmt::format("O lies outside Z: {} and {} are apart", x, y)};
+  asked.answer = asked.choices[story.trace.result.distance > 0.0 ? 1 : 0];
+  text.caption = fmt::format("Question: look at Z and O alone. Do {} and {} share a point?", x, y);
 }
 
 }  // namespace gjkscope::captions

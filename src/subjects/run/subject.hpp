@@ -121,6 +121,8 @@ void direction_rules(const Story& story, FrameText& text);
 
 /// The closest point of X or of Y: its vertices and edges to choose from, in the world.
 void closest_question(const Story& story, FrameText& text);
+void closest_of_difference_question(const Story& story, FrameText& text);
+void overlap_question(const Story& story, FrameText& text);
 /// The question of a frame that asks one, what there is to choose from, and the answer.
 void question(const Story& story, FrameText& text);
 

@@ -121,6 +121,7 @@ void two_columns(PanelBuilder& panel, const std::array<RunColumn, 2>& columns, d
     coordinate(fmt::format("d.{}", axes[axis]), Phase::direction, d, axis);
   if (dimension == 2) {
     row("towards", known(Phase::direction), d, [](const RunColumn&, const Eigen::Vector3d& along) {
+      if (along.isZero(0.0)) return std::string("–");
       return fixed(std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi, 1) + "°";
     });
   }
