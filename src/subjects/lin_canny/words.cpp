@@ -150,7 +150,7 @@ class Telling {
     const models::WalkResult& result = shown_.walk.trace.result;
     const int pairs = result.steps;
     const models::WalkQuery& query = *shown_.walk.query;
-    const auto of_x = 2 * query.a.points.size();
+    const int of_x = 2 * query.a.size();
     text_.detail = fmt::format("The walk measured {} of {} · {} = {} pairs of features.", pairs,
                                of_x, query.pairs() / of_x, query.pairs());
     if (result.stop == WalkStop::closest)
