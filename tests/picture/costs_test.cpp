@@ -90,7 +90,7 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
   Lesson small = small_lesson();
   small.questions = {{"visits", 2}, {"agrees", 1}};
   LessonGrowth& swapped = small.table.edit<LessonGrowth>();
-  std::swap(swapped.times->boxes, swapped.times->circles);
+  std::swap(swapped.times->boxes, swapped.times->pairs);
   const std::vector<FrameText> of_small = asked(Told(small));
   ASSERT_EQ(of_small.size(), 2u);
   EXPECT_EQ(of_small[0].question->answer, "3.0 times, as n");

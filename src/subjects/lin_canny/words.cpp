@@ -149,12 +149,8 @@ class Telling {
   void answer() {
     const models::WalkResult& result = shown_.walk.trace.result;
     const int pairs = result.steps;
-    const models::WalkQuery& query = *shown_.walk.query;
-    const int of_x = 2 * query.a.size();
-    text_.detail = fmt::format("The walk measured {} of {} · {} = {} pairs of features.", pairs,
-                               of_x, query.pairs() / of_x, query.pairs());
-    if (result.stop == WalkStop::closest)
-      text_.detail += " No pair comes twice, so it could be all of them at worst.";
+    text_.detail = fmt::format("The walk measured {} of {} pairs of features.", pairs,
+                               shown_.walk.query->pairs());
     if (result.stop == WalkStop::overlap) {
       text_.caption = fmt::format("{} and {} overlap: the distance is 0.", x(), y());
     } else if (result.stop == WalkStop::local_minimum) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <optional>
 
@@ -297,12 +296,11 @@ void structures_listing(PanelBuilder& panel) {
   const WideVertex& vertex = simplex.vertices[newest];
   const Eigen::Vector3d point = vertex.w + panel.run.run(panel.frame).x().world[0];
   const bool weighed = panel.knows.phase && *panel.knows.phase != Phase::add;
-  const auto& names = panel.run.lesson.y().vertex_names;
-  write_line(panel, "Input", {State::past, {}, panel.run.lesson.y().name + ", Q"});
+  const LessonShape& polygon = panel.run.lesson.y();
+  write_line(panel, "Input", {State::past, {}, polygon.name + ", Q"});
   write_line(panel, "Output", {State::past, {}, "P, |P − Q|, iterations"});
-  write_line(panel, "Polygon", {State::past, {}, panel.run.lesson.y().name});
-  write_line(panel, "  points", {State::idle, {}, fmt::format("{}", fmt::join(names, ", "))});
-  write_line(panel, "  count", {State::idle, {}, std::to_string(names.size())});
+  write_line(panel, "Polygon: points, count",
+             {State::past, {}, fmt::format("{}, {}", polygon.name, polygon.vertices.size())});
   write_line(panel, "SimplexVertex", {State::past, {}, panel.words.vertex(newest)});
   write_line(panel, "  point: where it is", {State::idle, {}, panel.numbers.point(point)});
   write_line(panel, "  index: which vertex, from 0",

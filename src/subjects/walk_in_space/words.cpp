@@ -30,9 +30,7 @@ std::string_view why_next(Reason reason) {
     case Reason::clip_end:
       return "The edge comes nearer to the face, until it ends.";
     default:
-      return "The closest point of the feature lies there already: the distance stays, and the "
-             "feature "
-             "gets smaller. No pair comes twice.";
+      return "The closest point lies there already: only the feature gets smaller.";
   }
 }
 
