@@ -34,7 +34,7 @@ struct CaseOptions {
   ScalarKind scalar = ScalarKind::double_;  ///< For point sets.
   ModelMethod method = ModelMethod::boxes;  ///< For outlines.
 };
-/// What a method requires of outlines.
+/// The requirements of a method on outlines.
 [[nodiscard]] models::Needs needs_of(ModelMethod method);
 /// Those of its trace.
 [[nodiscard]] models::Needs needs_of_trace(ModelMethod method);

@@ -43,7 +43,7 @@ template <class Wide, class R>
   return std::sqrt(Wide(inner_distance_sq(end)));
 }
 
-/// What rounding can have moved the corners by.
+/// A bound of the distance by which rounding can have moved the corners.
 template <class R>
 [[nodiscard]] R corner_error(const State<R, 3>& state, const gjk::Prepared<R, 3>& prepared) {
   return prepared.vertex_error +

@@ -145,7 +145,7 @@ bool tells_areas(const Story& story) {
          story.shows(BarycentricParts::kName);
 }
 
-/// What was found at the position before; none at the first.
+/// The state that the position before found; none at the first position.
 const WideState* last_found(const Story& story) {
   if (story.frame.run == 0) return nullptr;
   const auto& steps = story.run.runs[static_cast<std::size_t>(story.frame.run) - 1].trace.steps;

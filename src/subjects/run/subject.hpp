@@ -87,7 +87,7 @@ void closest_point(SceneBuilder& scene);
 void witness_points(SceneBuilder& scene);
 /// The search direction at P.
 void search_direction(SceneBuilder& scene);
-/// What the support point shares with the simplex stays in sight, in a larger diamond.
+/// The support point; vertices that it shares with the simplex stay visible in a larger diamond.
 void support_point(SceneBuilder& scene);
 /// Search direction, support line and support point.
 void search(SceneBuilder& scene);
