@@ -285,7 +285,7 @@ int trace_command(const Environment& env, const std::string& name, const CaseOpt
   if (is_case_file(name)) {
     const std::optional<std::string> text = read_text(env, name);
     if (!text) return kCannot;
-    const std::string file = name == "-" ? "<stdin>" : name;
+    const std::string file = name_of_input(name);
     printed =
         print_traces(parse_cases(*text, file, gjk::kMaxDimension, needs_of_trace(options.method)),
                      options, json);
@@ -322,7 +322,7 @@ int check_command(const Environment& env, const std::vector<std::string>& files)
       const std::optional<CasesOfFiles> found =
           read_cases(env, files, i, needs_of(ModelMethod::boxes));
       if (found) {
-        problems = problems_of_cases(found->cases, name == "-" ? "<stdin>" : name);
+        problems = problems_of_cases(found->cases, name_of_input(name));
         const ReadCase& first = found->cases.front();
         if (!first.understood.empty())
           env.out << fmt::format("{}: {}\n", first.name, first.understood);

@@ -11,7 +11,6 @@
 #include "base/file.hpp"
 #include "lesson/paste.hpp"
 #include "session/case_lesson.hpp"
-#include "session/session.hpp"
 #include "subjects/subjects.hpp"
 #include "subjects/two_runs/log_lesson.hpp"
 
@@ -34,40 +33,28 @@ std::vector<std::string> lesson_ids(const fs::path& folder) {
   return name.find('/') != std::string::npos || fs::path(name).extension() == ".toml";
 }
 
-/// A case as a lesson, which shows it as the first lesson about two polygons shows its own shapes.
-/// `id` names its files, and the case where that has no name.
-LoadedLesson lesson_of(const Environment& env, const ReadCase& read, const std::string& file,
-                       const std::string& id) {
-  if (!read.problems.empty()) return {std::nullopt, read.problems};
-  LoadedLesson loaded = load_lesson(env.share / "lessons" / "polygons-gjk.toml", vocabulary());
-  if (!loaded.lesson) return loaded;
-  const bool has_name = !read.name.starts_with(file);
-  Lesson lesson = case_lesson(*std::move(loaded.lesson), read, has_name ? read.name : id);
-  lesson.id = id;
-  std::vector<Problem> problems = why_not_said(lesson);
-  if (problems.empty()) return {std::move(lesson), {}};
-  for (Problem& problem : problems) {
-    problem.file = read.name;
-    problem.line = read.place.line;
-    problem.column = read.place.column;
-  }
-  return {std::nullopt, std::move(problems)};
-}
-
-/// Adds a lesson for each case; returns an exit code, after problems were printed on `env.err`.
+/// A lesson for each case of `file`, shown as the first lesson about two polygons shows its shapes;
+/// returns an exit code, after problems were printed on `env.err`.
 int add_lessons_of(const Environment& env, const std::string& file,
                    const std::vector<ReadCase>& cases, std::vector<Lesson>& lessons) {
+  const LoadedLesson example =
+      load_lesson(env.share / "lessons" / "polygons-gjk.toml", vocabulary());
   const std::string stem = file == "-" ? "case" : fs::path(file).stem().string();
+  const std::string name = name_of_input(file);
   int exit_code = kDone;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::string id = i == 0 ? stem : fmt::format("{}-{}", stem, i + 1);
-    LoadedLesson loaded = lesson_of(env, cases[i], file == "-" ? "<stdin>" : file, id);
-    for (const Problem& problem : loaded.problems) env.err << to_string(problem) << '\n';
-    if (loaded.lesson) {
-      lessons.push_back(*std::move(loaded.lesson));
-    } else {
-      exit_code = kProblem;
+    const ReadCase& read = cases[i];
+    std::vector<Problem> problems = example.lesson ? read.problems : example.problems;
+    if (problems.empty()) {
+      const std::string id = i == 0 ? stem : fmt::format("{}-{}", stem, i + 1);
+      const bool has_name = !read.name.starts_with(name);
+      Lesson lesson = case_lesson(*example.lesson, read, has_name ? read.name : id);
+      lesson.id = id;
+      problems = why_case_is_not_said(lesson, read, name);
+      if (problems.empty()) lessons.push_back(std::move(lesson));
     }
+    for (const Problem& problem : problems) env.err << to_string(problem) << '\n';
+    if (!problems.empty()) exit_code = kProblem;
   }
   return exit_code;
 }
@@ -163,6 +150,8 @@ std::optional<std::string> read_text(const Environment& env, const std::string& 
   }
 }
 
+std::string name_of_input(const std::string& file) { return file == "-" ? "<stdin>" : file; }
+
 bool is_case_file(const std::string& name) {
   const std::string ending = fs::path(name).extension().string();
   return name == "-" || ending == ".json" || is_pasted_ending(ending);
@@ -172,18 +161,17 @@ std::optional<CasesOfFiles> read_cases(const Environment& env,
                                        const std::vector<std::string>& files, std::size_t first,
                                        std::optional<models::Needs> needs,
                                        const CaseLimits& limits) {
-  const auto named = [](const std::string& file) { return file == "-" ? "<stdin>" : file; };
   const std::string& file = files[first];
   std::optional<std::string> text = read_text(env, file);
   if (!text) return std::nullopt;
-  CasesOfFiles read{parse_cases(*text, named(file), gjk::kMaxDimension, needs, limits)};
+  CasesOfFiles read{parse_cases(*text, name_of_input(file), gjk::kMaxDimension, needs, limits)};
   std::error_code none;
   if (read.cases.front().has_one_shape && first + 1 < files.size() &&
       fs::is_regular_file(files[first + 1], none)) {
     const std::string& next = files[first + 1];
     std::optional<std::string> second = read_text(env, next);
     if (!second) return read;
-    if (auto both = paired_case({named(file), *std::move(text)}, {next, *std::move(second)},
+    if (auto both = paired_case({name_of_input(file), *std::move(text)}, {next, *std::move(second)},
                                 gjk::kMaxDimension, needs))
       return CasesOfFiles{{*std::move(both)}, 2};
   }

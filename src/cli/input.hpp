@@ -40,6 +40,9 @@ struct FoundLessons {
 /// A whole file, or standard input for "-"; nothing when it cannot be read.
 [[nodiscard]] std::optional<std::string> read_text(const Environment& env, const std::string& file);
 
+/// As messages name it: "<stdin>" for "-".
+[[nodiscard]] std::string name_of_input(const std::string& file);
+
 /// Whether `name` is a file of shapes, by its ending, or "-".
 [[nodiscard]] bool is_case_file(const std::string& name);
 

@@ -212,7 +212,7 @@ int judge_command(const Environment& env, const std::vector<std::string>& files,
   int exit_code = kDone;
   for (const std::string& file : files) {
     const std::optional<std::string> text = read_text(env, file);
-    const std::string name = file == "-" ? "<stdin>" : file;
+    const std::string name = name_of_input(file);
     const judging::ReadLog read = text ? judging::read_log(*text, name) : judging::ReadLog{};
     for (const Problem& problem : read.problems) env.err << to_string(problem) << '\n';
     if (!read.log) {

@@ -38,8 +38,10 @@ bool ends_by_itself(gjk::StopReason reason) {
 /// Whether the closest point in space lies at a vertex or on an edge: a face cannot be pointed at
 /// by a place.
 bool is_on_edge(const std::vector<Eigen::Vector3d>& points, const std::set<int>& closest) {
-  if (points.size() < 2 || closest.size() != 2) return points.size() > 1 && closest.size() == 1;
+  if (points.size() < 2 || closest.size() > 2) return false;
   const Polyhedron hull = hull_in_space(points);
+  if (closest.size() == 1)
+    return std::count(hull.vertices.begin(), hull.vertices.end(), *closest.begin()) > 0;
   return std::any_of(hull.edges.begin(), hull.edges.end(), [&](const Polyhedron::Edge& edge) {
     return closest == std::set<int>{edge.from, edge.to};
   });

@@ -8,6 +8,7 @@
 #include "outlines/polygon.hpp"
 #include "picture/words.hpp"
 #include "session/edit.hpp"
+#include "session/session.hpp"
 #include "subjects/shape_hull/shape_hull.hpp"
 
 namespace gjkscope {
@@ -71,6 +72,17 @@ Lesson case_lesson(Lesson example, const ReadCase& read, const std::string& name
                     grouped(static_cast<double>(pairs)));
   }
   return lesson;
+}
+
+std::vector<Problem> why_case_is_not_said(const Lesson& lesson, const ReadCase& read,
+                                          const std::string& file) {
+  std::vector<Problem> problems = why_not_said(lesson);
+  for (Problem& problem : problems) {
+    problem.file = file;
+    problem.line = read.place.line;
+    problem.column = read.place.column;
+  }
+  return problems;
 }
 
 }  // namespace gjkscope

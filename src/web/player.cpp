@@ -16,6 +16,7 @@
 #include "picture/tween.hpp"
 #include "run/trace_json.hpp"
 #include "run/trail.hpp"
+#include "session/case_lesson.hpp"
 #include "session/edit.hpp"
 #include "session/hit.hpp"
 #include "subjects/run/code.hpp"
@@ -323,13 +324,8 @@ std::string Player::open_case(const Asked& asked) {
   const ReadCase& read = cases.front();
   const Lesson lesson = edit::with_shapes(session_.lesson(), read);
   if (!session_.edit(name, lesson)) {
-    std::vector<Problem> problems = why_not_said(lesson);
+    const std::vector<Problem> problems = why_case_is_not_said(lesson, read, name);
     if (problems.empty()) throw std::runtime_error(fmt::format("{}: {}", name, session_.problem()));
-    for (Problem& problem : problems) {
-      problem.file = name;
-      problem.line = read.place.line;
-      problem.column = read.place.column;
-    }
     throw std::runtime_error(to_string(problems));
   }
   session_.fit();

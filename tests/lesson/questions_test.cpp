@@ -7,6 +7,7 @@
 
 #include "lesson/load.hpp"
 #include "lesson_texts.hpp"
+#include "lessons.hpp"
 #include "run/facts.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
@@ -156,6 +157,13 @@ TEST(Questions, ThatNoFrameAsksAreAProblem) {
   const std::vector<Problem> problems = unasked_questions(run_lesson(*loaded.lesson));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].what, "no frame asks 'region' in iteration 1");
+}
+
+TEST(Questions, AboutSignsAreForTetrahedraThatHaveAVolume) {
+  Lesson lesson = testing::shipped_lesson("tetrahedron-volumes");
+  EXPECT_TRUE(unasked_questions(run_lesson(lesson)).empty());
+  for (Eigen::Vector3d& vertex : lesson.y().vertices) vertex.z() = 0.0;
+  EXPECT_EQ(unasked_questions(run_lesson(lesson)).size(), 2u);
 }
 
 TEST(Questions, NeedFramesThatAnswer) {

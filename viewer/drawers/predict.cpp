@@ -19,6 +19,7 @@ struct Predict {
   bool every_step = true;  ///< Or what the lesson asks.
   bool is_open = false;
   std::optional<Practising> practising = {};
+  bool has_noted = false;  ///< The outcome of the task that is shown.
 
   [[nodiscard]] Session& session() const { return app.session(); }
 
@@ -40,6 +41,7 @@ struct Predict {
     every_step = false;
     ask();
     practising->begin(session());
+    has_noted = false;
   }
 
   /// Goes on where the chapter was left.
@@ -51,13 +53,14 @@ struct Predict {
 
   /// An answered task is not asked again where the window is closed before the next.
   void note_outcome() {
-    const practice::Practice& practice = practising->practice();
-    Memory::Practised& known = app.practised(practice.chapter());
-    if (has_answered_task() && known.answers.size() == practice.answers().size())
-      known.answers = practising->noted(session()).answers();
+    if (has_noted || !has_answered_task()) return;
+    const practice::Practice noted = practising->noted(session());
+    app.practised(noted.chapter()).answers = noted.answers();
+    has_noted = true;
   }
 
   void next_task() {
+    note_outcome();
     practising->next(session());
     show_task();
   }

@@ -30,13 +30,18 @@ int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
   if (frame.step < 0 || trace.steps[frame.step].phase != gjk::Phase::closest ||
       !is_at(frame, question))
     return -1;
-  const int count = state_before(trace, frame.step).simplex.count;
+  const WideSimplex& simplex = state_before(trace, frame.step).simplex;
+  const int count = simplex.count;
   const bool is_on_map = question.ask == asks::kRegion.name || question.ask == asks::kClosest.name;
   const bool has_map =
       run.lesson.calls_for(VoronoiRegions::kName) || run.lesson.calls_for(RegionSolid::kName);
   const bool in_space = run.lesson.dimension == 3;
+  // A flat tetrahedron has no signs.
+  const auto has_volume = [&] {
+    return count == 4 && gjk::barycentric(simplex, simplex.all()).denominator > 0.0;
+  };
   const bool shows = is_on_map  ? has_map
-                     : in_space ? question.ask == asks::kSign.name && count == 4 &&
+                     : in_space ? question.ask == asks::kSign.name && has_volume() &&
                                       run.lesson.calls_for(FacesBefore::kName)
                                 : run.lesson.calls_for(BarycentricParts::kName);
   if (!shows || count < 2 || (question.ask == asks::kFoot.name && count != 2)) return -1;

@@ -13,7 +13,6 @@
 #include "run/questions.hpp"
 #include "subjects/run/refuting.hpp"
 #include "subjects/run/subject.hpp"
-#include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::captions {
 namespace {
@@ -193,11 +192,11 @@ class Asking {
 
   /// The faces of a tetrahedron, each opposite to the vertex of a weight.
   void sign_in_space(const WideSimplex& simplex) {
-    const Frame answering{.run = story_.frame.run, .step = story_.frame.answering_step};
-    const std::vector<double> weights = story_.effects.get<BarycentricWeights>(answering).weights;
+    const gjk::Barycentric<double, 3> weights = gjk::barycentric(simplex, simplex.all());
     const auto at = [&](int i) { return story_.positioned.y().world[simplex.vertices[i].pair.y]; };
     asked_.choices = {"none"};
     asked_.spots = {std::nullopt};
+    int negative = 0;
     for (int left_out = simplex.count - 1; left_out >= 0; --left_out) {
       const auto face = static_cast<gjk::Face>(simplex.all() & ~(1u << left_out));
       std::array<Eigen::Vector3d, 3> corners;
@@ -205,10 +204,10 @@ class Asking {
         if (i != left_out) corners[k++] = at(i);
       asked_.choices.push_back(words_.face(face));
       asked_.spots.emplace_back(spot_of_triangle(ViewKind::world, corners));
-      if (weights[left_out] < 0.0) asked_.answer = asked_.choices.back();
+      if (!(weights.numerator[left_out] < 0.0)) continue;
+      asked_.answer = asked_.choices.back();
+      ++negative;
     }
-    const auto negative =
-        std::count_if(weights.begin(), weights.end(), [](double each) { return each < 0.0; });
     asked_.choices.emplace_back("several");
     asked_.spots.emplace_back();
     if (negative != 1) asked_.answer = negative == 0 ? "none" : "several";
