@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <vector>
 
+#include "outlines/polyhedron.hpp"
 #include "run/questions.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/run/voronoi.hpp"
@@ -36,9 +38,12 @@ int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
   const bool has_map =
       run.lesson.calls_for(VoronoiRegions::kName) || run.lesson.calls_for(RegionSolid::kName);
   const bool in_space = run.lesson.dimension == 3;
-  // A flat tetrahedron has no signs.
+  // A flat tetrahedron has no signs; its hull has two faces, back to back.
   const auto has_volume = [&] {
-    return count == 4 && gjk::barycentric(simplex, simplex.all()).denominator > 0.0;
+    std::vector<Eigen::Vector3d> corners;
+    for (int i = 0; i < count; ++i)
+      corners.push_back(run.run(frame).y().world[simplex.vertices[i].pair.y]);
+    return hull_in_space(corners).faces.size() == 4;
   };
   const bool shows = is_on_map  ? has_map
                      : in_space ? question.ask == asks::kSign.name && has_volume() &&
