@@ -161,16 +161,16 @@ template <class R = gjk::Default, class S, int D>
   out.gjk = gjk::trace<R>(query, options);
   const gjk::Prepared<Run, D>& prepared = out.gjk.prepared;
   State<Run, D> state = start(query, prepared, out.gjk.result);
-  if constexpr (D == 3) detail::measure_all(state);
   out.initial = state;
+  if constexpr (D == 3) detail::measure_all(out.initial.polytope);
   Bounds<Run> bounds;
   while (state.stop == StopReason::running) {
     Step<Run, D> next;
     next.phase = state.phase;
     next.iteration = state.iteration;
     step(state, query, prepared, next.record);
-    if constexpr (D == 3) detail::measure_all(state);
     next.after = state;
+    if constexpr (D == 3) detail::measure_all(next.after.polytope);
     detail::improve(bounds, next.phase, state, prepared);
     next.bounds = bounds;
     out.steps.push_back(std::move(next));

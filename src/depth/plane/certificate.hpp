@@ -186,7 +186,7 @@ template <class R, class S>
   const bool is_certain = R(4) * rough < nearest.lower && winds_once(polygon);
   if (is_certain) out.lower = nearest.lower - few * nearest.value;
 
-  const R reach = careful_reach(out.direction, query, prepared);
+  const R reach = careful_reach(out.direction, {}, query, prepared);
   out.upper = gjk::larger(R(reach + R(kReachRoundings<2>) * u * gjk::magnitude(reach) + careful),
                           out.lower);
   out.depth = gjk::smaller(gjk::larger(nearest.value, out.lower), out.upper);

@@ -22,41 +22,52 @@ template <class R>
   return gjk::ScalarTraits<R>::root(size_sq);
 }
 
-/// Distance of O from a face of the polytope: 0 where it does not lie inside.
+/// Distance of O from the polytope, squared, or 0 where it does not lie inside. Faces that rounding
+/// could confuse with the nearest are measured with all digits.
 template <class R>
-[[nodiscard]] auto inner_distance(const space::Face<R>& face) {
-  return gjk::ScalarTraits<R>::root(gjk::larger(face.distance_sq, R(0)));
+[[nodiscard]] auto inner_distance_sq(const State<R, 3>& state) {
+  const space::Polytope<R>& polytope = state.polytope;
+  const auto measured = [&](const space::Face<R>& face) {
+    return space::careful_plane(polytope.triangle(face.corners)).distance_sq;
+  };
+  const space::Face<R>& nearest = polytope.faces[state.face];
+  auto least = measured(nearest);
+  for (const space::Face<R>& face : polytope.faces) {
+    if (face.distance_sq < least && !face.is_outgrown && &face != &nearest)
+      least = gjk::smaller(least, measured(face));
+  }
+  return gjk::larger(least, space::Plain<R>(0));
 }
 template <class Wide, class R>
 [[nodiscard]] Wide exact_distance(const State<R, 3>& end) {
-  return std::sqrt(gjk::ScalarTraits<Wide>::from(end.polytope.faces[end.face].distance_sq));
+  return std::sqrt(Wide(inner_distance_sq(end)));
 }
 
+/// A bound of the distance by which rounding can have moved the corners.
+template <class R>
+[[nodiscard]] R corner_error(const State<R, 3>& state, const gjk::Prepared<R, 3>& prepared) {
+  return prepared.vertex_error +
+         R(2) * gjk::ScalarTraits<R>::unit_roundoff() * size_of(state.polytope);
+}
 /// How near the boundary of Z can be, if that of the polytope is as near as its nearest face.
 template <class R>
 [[nodiscard]] auto distance_below(const State<R, 3>& state, const gjk::Prepared<R, 3>& prepared) {
   using Traits = gjk::ScalarTraits<R>;
-  const R& distance_sq = state.polytope.faces[state.face].distance_sq;
-  const auto distance = Traits::root_below(gjk::larger(distance_sq, R(0)));
+  const auto distance = Traits::root_below(inner_distance_sq(state));
   if constexpr (Traits::kExact) {
     return distance;
   } else {
-    const R error =
-        prepared.vertex_error + R(2) * Traits::unit_roundoff() * size_of(state.polytope);
-    return gjk::larger(R(distance - error), R(0));
+    return gjk::larger(R(distance - corner_error(state, prepared)), R(0));
   }
 }
 
-/// A face by its pairs; with its corners as they are kept if N is R.
-template <class R, class N>
-[[nodiscard]] gjk::Simplex<R, 3> simplex_of(const space::Polytope<N>& polytope,
-                                            const space::Face<N>& face) {
+/// A face with its corners as they are kept.
+template <class R>
+[[nodiscard]] gjk::Simplex<R, 3> simplex_of(const space::Polytope<R>& polytope,
+                                            const space::Face<R>& face) {
   gjk::Simplex<R, 3> out;
   out.count = 3;
-  for (int i = 0; i < 3; ++i) {
-    out.vertices[i].pair = polytope.corners[face.corners[i]].pair;
-    if constexpr (std::is_same_v<R, N>) out.vertices[i].w = polytope.at(face, i);
-  }
+  for (int i = 0; i < 3; ++i) out.vertices[i] = polytope.corners[face.corners[i]];
   return out;
 }
 
@@ -68,7 +79,7 @@ template <class R>
   const R& nearest_sq = state.polytope.faces[state.face].distance_sq;
   for (const space::Face<R>& face : state.polytope.faces) {
     if (face.is_outgrown || !(face.distance_sq == nearest_sq)) continue;
-    gjk::Simplex<R, 3> out = simplex_of<R>(state.polytope, face);
+    gjk::Simplex<R, 3> out = simplex_of(state.polytope, face);
     const auto coordinates = gjk::triangle_coordinates(out, 0, 1, 2);
     bool holds = true;
     for (int i = 0; i < 3; ++i) {
@@ -85,7 +96,8 @@ template <class R>
 /// The face that holds the point t of the boundary, with its weights there: of all faces that are
 /// about as near as t the one that comes closest to t. Triangles of one plane are many faces, and
 /// the nearest of them need not be the one that has the foot of the perpendicular from O: if it is,
-/// no other one is looked at.
+/// no other one is looked at. Corners are as they are kept: weights move a point by no more than
+/// rounding moved the corners.
 /// `exponent`: of the unit of the polytope, in that of the run.
 template <class R, class S, class N>
 [[nodiscard]] gjk::Simplex<R, 3> contact_face(const State<N, 3>& state, const Vec<R, 3>& t,
@@ -95,23 +107,32 @@ template <class R, class S, class N>
   using Word = gjk::DoubleWord<R>;
   const R u = gjk::ScalarTraits<R>::unit_roundoff();
   const R slack = R(8) * R(prepared.vertex_error + R(2) * u * prepared.reach);
-  const R as_far = gjk::ScalarTraits<R>::scaled(R(gjk::careful_length(t) + slack), -exponent);
-  const Vec<Word, 3> from = gjk::converted<Word, R, 3>(t);
+  const Vec<R, 3> from = gjk::scaled<R, 3>(t, -exponent);
+  const R as_far = gjk::careful_length(from) + gjk::ScalarTraits<R>::scaled(slack, -exponent);
   gjk::Simplex<R, 3> best;
   R least = std::numeric_limits<R>::infinity();
   const std::vector<space::Face<N>>& faces = state.polytope.faces;
   for (int k = -1; k < static_cast<int>(faces.size()); ++k) {
     const space::Face<N>& face = faces[k < 0 ? state.face : k];
-    if (k == state.face || face.is_outgrown || as_far < static_cast<R>(inner_distance(face)))
+    if (k == state.face || face.is_outgrown ||
+        as_far < gjk::ScalarTraits<R>::root(gjk::larger(static_cast<R>(face.distance_sq), R(0))))
       continue;
-    gjk::Simplex<R, 3> out = simplex_of<R>(state.polytope, face);
-    gjk::Simplex<Word, 3> careful = gjk::careful_simplex(out, query, prepared);
+    int axis = 0;  // along which it is seen at its widest
+    face.n.cwiseAbs().maxCoeff(&axis);
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    gjk::Simplex<R, 3> out;
+    gjk::Simplex<Word, 2> flat;
+    out.count = flat.count = 3;
     for (int i = 0; i < 3; ++i) {
-      careful.vertices[i].w = careful.vertices[i].w - from;
-      out.vertices[i].w = gjk::converted<R, Word, 3>(careful.vertices[i].w);
+      const Vec<R, 3> corner = gjk::converted<R, N, 3>(state.polytope.at(face, i));
+      flat.vertices[i].w = {gjk::exact_sum(corner[next], R(-from[next])),
+                            gjk::exact_sum(corner[last], R(-from[last]))};
+      out.vertices[i] = {corner - from, state.polytope.corners[face.corners[i]].pair};
     }
-    out.weights = gjk::weights_of<R>(careful);
-    if (!std::all_of(out.weights.begin(), out.weights.end(), gjk::ScalarTraits<R>::is_finite)) {
+    const std::array<R, 3> weights = gjk::weights_of<R>(flat);
+    std::copy(weights.begin(), weights.end(), out.weights.begin());
+    if (!std::all_of(weights.begin(), weights.end(), gjk::ScalarTraits<R>::is_finite)) {
       const gjk::Face nearest = gjk::nearest_face(out);  // its area is lost in rounding
       gjk::set_weights<R, 3>(out.weights, nearest, gjk::barycentric(out, nearest));
     }
@@ -119,8 +140,7 @@ template <class R, class S, class N>
     if (!(distance < least)) continue;
     least = distance;
     best = out;
-    const auto last = out.weights.begin() + 3;
-    if (k < 0 && std::find(out.weights.begin(), last, R(0)) == last) break;
+    if (k < 0 && std::find(weights.begin(), weights.end(), R(0)) == weights.end()) break;
   }
   for (int i = 0; i < best.count; ++i)
     best.vertices[i] = gjk::support_point(query, prepared, best.vertices[i].pair);
@@ -135,23 +155,23 @@ template <class R, class S>
   const space::Face<R>& face = state.polytope.faces[state.face];
   const R u = gjk::ScalarTraits<R>::unit_roundoff();
   const R unit = u * size_of(state.polytope);
+  const R nearest = gjk::ScalarTraits<R>::root(inner_distance_sq(state));
   Proof<R, 3> out;
-  out.lower = distance_below(state, prepared);
+  out.lower = gjk::larger(R(nearest - R(8) * u * nearest - corner_error(state, prepared)), R(0));
+  // The normal of the corners as they are, and if that turns too much as they are kept.
+  const gjk::Simplex<Word, 3> careful =
+      gjk::careful_simplex(simplex_of(state.polytope, face), query, prepared);
   R reach(0);
   const auto look_along = [&](const Vec<R, 3>& n) {
     const R length = gjk::careful_length(n);
     if (!(R(0) < length)) return;
     const Vec<R, 3> direction = n / length;
-    const R found = careful_reach(direction, query, prepared);
+    const R found = careful_reach(direction, careful, query, prepared);
     if (!gjk::is_zero(out.direction) && !(found < reach)) return;
     out.direction = direction;
     reach = found;
   };
-  // The normal of the corners as they are, and if that turns too much as they are kept.
-  const gjk::Simplex<Word, 3> careful =
-      gjk::careful_simplex(simplex_of<R>(state.polytope, face), query, prepared);
   look_along(gjk::converted<R, Word, 3>(gjk::normal_of(careful, careful.all())));
-  const R nearest = inner_distance(face);
   const auto is_close = [&] { return reach - nearest <= R(kAllowedGap) * unit; };
   if (gjk::is_zero(out.direction) || !is_close()) look_along(state.n);
 

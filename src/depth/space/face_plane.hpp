@@ -19,6 +19,10 @@ using Plain = std::conditional_t<std::is_same_v<R, Expansion>, long double, R>;
 template <class R>
 inline constexpr bool kPlaneRounds = !gjk::ScalarTraits<Plain<R>>::kExact;
 
+/// Triangles that are thinner, by the product of two sides as a share of twice the area, have
+/// planes with all digits.
+inline constexpr int kThin = 32;
+
 template <class R>
 struct Triangle {
   const Vec<R, 3>& a;
@@ -26,15 +30,22 @@ struct Triangle {
   const Vec<R, 3>& c;
 };
 
-/// The plane of a triangle abc. `careful_plane` has all digits; a rough one is made without more,
-/// for most faces are outgrown before they are the nearest.
+/// The plane of a triangle abc.
 template <class R>
 struct Plane {
   Vec<Plain<R>, 3> n = Vec<Plain<R>, 3>::Zero();  ///< (b - a) x (c - a) times a power of two.
-  R distance_sq = R(0);          ///< O from it, squared; negative where O lies on the outer side.
+  /// O from it, squared, or somewhat less; negative where O lies on the outer side.
+  Plain<R> distance_sq = Plain<R>(0);
   Plain<R> error = Plain<R>(0);  ///< dot(n, p - a) errs by less than error * norm_1(p - a).
-  bool is_rough = false;         ///< `distance_sq` is less than that of `careful_plane`.
 };
+
+/// The power of two by which the largest coordinate of a comes to lie between 1 and 2; 0 for 0.
+template <class N>
+[[nodiscard]] N good_unit(const Vec<N, 3>& a) {
+  const N size = gjk::norm_max(a);
+  return size == N(0) ? size
+                      : gjk::ScalarTraits<N>::scaled(N(1), -gjk::ScalarTraits<N>::exponent(size));
+}
 
 namespace detail {
 
@@ -105,12 +116,11 @@ template <class R, class N>
 [[nodiscard]] Plane<R> in_good_unit(const Products<N>& made) {
   using Traits = gjk::ScalarTraits<Plain<R>>;
   Plane<R> out;
-  const N size = gjk::norm_max(made.n);
-  if (size == N(0)) return out;
-  const N unit = gjk::ScalarTraits<N>::scaled(N(1), -gjk::ScalarTraits<N>::exponent(size));
+  const N unit = good_unit(made.n);
+  if (unit == N(0)) return out;
   out.n = gjk::converted<Plain<R>, N, 3>(Vec<N, 3>(made.n * unit));
   const Plain<R> side = Traits::from(N(made.side * unit));
-  out.distance_sq = R(side * Plain<R>(gjk::magnitude(side) / gjk::dot(out.n, out.n)));
+  out.distance_sq = side * Plain<R>(gjk::magnitude(side) / gjk::dot(out.n, out.n));
   out.error = Plain<R>(16) * Traits::unit_roundoff() * gjk::norm_max(out.n);
   return out;
 }
@@ -144,29 +154,25 @@ template <class R>
   }
 }
 
-/// A rough plane where that will do. With s the product of the largest coordinates of b - a and
-/// c - a those of n are up to 2 s and err by 8 u s, and products with p - a by 5 u 2 s more: 18 u
-/// s; in length n errs by 14 u s. Squared, the distance rounds by at most 32 u, and that of
-/// `careful_plane` may be 12 u of itself away.
+/// A rough plane of a triangle that is not thin, whose `distance_sq` is less than that of
+/// `careful_plane`; else that one. With s the product of the largest coordinates of b - a and c - a
+/// those of n are up to 2 s and err by 8 u s, and products with p - a by 5 u 2 s more: 18 u s; in
+/// length n is up to 3 s, errs by 14 u s, and its square rounds by 3 u. Difference, quotient and
+/// product round by 4 u, `careful_plane` by 12: the distance errs by 64 u s |a| / |n| at most.
 template <class R>
 [[nodiscard]] Plane<R> face_plane(const Triangle<R>& t) {
   if constexpr (std::is_floating_point_v<R>) {
     const R u = gjk::ScalarTraits<R>::unit_roundoff();
+    const R area = detail::area_of(t);
     Plane<R> out;
     out.n = gjk::cross(Vec<R, 3>(t.b - t.a), Vec<R, 3>(t.c - t.a));
-    out.error = R(24) * u * detail::area_of(t);
+    out.error = R(32) * u * area;
     const R n_sq = gjk::dot(out.n, out.n);
-    const R size = std::sqrt(n_sq);
-    const R side = gjk::dot(out.n, t.a) - out.error * gjk::norm_1(t.a);
-    const R error = side < R(0) ? -out.error : out.error;
-    const R distance = side / (size + error);
-    out.distance_sq = distance * (gjk::magnitude(distance) - R(64) * u * distance);
-    out.is_rough = true;
-    // Not thin, and nothing that counts underflows.
+    const R side = gjk::dot(out.n, t.a) - R(3) * out.error * gjk::norm_1(t.a);
+    out.distance_sq = side * (std::abs(side) / n_sq);
     const R least = std::numeric_limits<R>::min() / u;
-    const R smallest = gjk::smaller(gjk::smaller(out.error, n_sq),
-                                    gjk::smaller(std::abs(side), std::abs(out.distance_sq)));
-    if (R(2) * out.error < size && least < smallest) return out;
+    const bool is_thin = !(area * area < R(kThin * kThin) * n_sq);
+    if (!is_thin && least < gjk::smaller(n_sq, std::abs(out.distance_sq))) return out;
   }
   return careful_plane(t);
 }
