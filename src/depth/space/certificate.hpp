@@ -61,13 +61,16 @@ template <class R>
   }
 }
 
-/// A face with its corners as they are kept.
-template <class R>
-[[nodiscard]] gjk::Simplex<R, 3> simplex_of(const space::Polytope<R>& polytope,
-                                            const space::Face<R>& face) {
+/// A face by its pairs; with its corners as they are kept if N is R.
+template <class R, class N>
+[[nodiscard]] gjk::Simplex<R, 3> simplex_of(const space::Polytope<N>& polytope,
+                                            const space::Face<N>& face) {
   gjk::Simplex<R, 3> out;
   out.count = 3;
-  for (int i = 0; i < 3; ++i) out.vertices[i] = polytope.corners[face.corners[i]];
+  for (int i = 0; i < 3; ++i) {
+    out.vertices[i].pair = polytope.corners[face.corners[i]].pair;
+    if constexpr (std::is_same_v<R, N>) out.vertices[i].w = polytope.at(face, i);
+  }
   return out;
 }
 
@@ -79,7 +82,7 @@ template <class R>
   const R& nearest_sq = state.polytope.faces[state.face].distance_sq;
   for (const space::Face<R>& face : state.polytope.faces) {
     if (face.is_outgrown || !(face.distance_sq == nearest_sq)) continue;
-    gjk::Simplex<R, 3> out = simplex_of(state.polytope, face);
+    gjk::Simplex<R, 3> out = simplex_of<R>(state.polytope, face);
     const auto coordinates = gjk::triangle_coordinates(out, 0, 1, 2);
     bool holds = true;
     for (int i = 0; i < 3; ++i) {
@@ -96,8 +99,7 @@ template <class R>
 /// The face that holds the point t of the boundary, with its weights there: of all faces that are
 /// about as near as t the one that comes closest to t. Triangles of one plane are many faces, and
 /// the nearest of them need not be the one that has the foot of the perpendicular from O: if it is,
-/// no other one is looked at. Corners are as they are kept: weights move a point by no more than
-/// rounding moved the corners.
+/// no other one is looked at.
 /// `exponent`: of the unit of the polytope, in that of the run.
 template <class R, class S, class N>
 [[nodiscard]] gjk::Simplex<R, 3> contact_face(const State<N, 3>& state, const Vec<R, 3>& t,
@@ -107,8 +109,8 @@ template <class R, class S, class N>
   using Word = gjk::DoubleWord<R>;
   const R u = gjk::ScalarTraits<R>::unit_roundoff();
   const R slack = R(8) * R(prepared.vertex_error + R(2) * u * prepared.reach);
-  const Vec<R, 3> from = gjk::scaled<R, 3>(t, -exponent);
-  const R as_far = gjk::careful_length(from) + gjk::ScalarTraits<R>::scaled(slack, -exponent);
+  const R as_far = gjk::ScalarTraits<R>::scaled(R(gjk::careful_length(t) + slack), -exponent);
+  const Vec<Word, 3> from = gjk::converted<Word, R, 3>(t);
   gjk::Simplex<R, 3> best;
   R least = std::numeric_limits<R>::infinity();
   const std::vector<space::Face<N>>& faces = state.polytope.faces;
@@ -117,22 +119,14 @@ template <class R, class S, class N>
     if (k == state.face || face.is_outgrown ||
         as_far < gjk::ScalarTraits<R>::root(gjk::larger(static_cast<R>(face.distance_sq), R(0))))
       continue;
-    int axis = 0;  // along which it is seen at its widest
-    face.n.cwiseAbs().maxCoeff(&axis);
-    const int next = (axis + 1) % 3;
-    const int last = (axis + 2) % 3;
-    gjk::Simplex<R, 3> out;
-    gjk::Simplex<Word, 2> flat;
-    out.count = flat.count = 3;
+    gjk::Simplex<R, 3> out = simplex_of<R>(state.polytope, face);
+    gjk::Simplex<Word, 3> careful = gjk::careful_simplex(out, query, prepared);
     for (int i = 0; i < 3; ++i) {
-      const Vec<R, 3> corner = gjk::converted<R, N, 3>(state.polytope.at(face, i));
-      flat.vertices[i].w = {gjk::exact_sum(corner[next], R(-from[next])),
-                            gjk::exact_sum(corner[last], R(-from[last]))};
-      out.vertices[i] = {corner - from, state.polytope.corners[face.corners[i]].pair};
+      careful.vertices[i].w = careful.vertices[i].w - from;
+      out.vertices[i].w = gjk::converted<R, Word, 3>(careful.vertices[i].w);
     }
-    const std::array<R, 3> weights = gjk::weights_of<R>(flat);
-    std::copy(weights.begin(), weights.end(), out.weights.begin());
-    if (!std::all_of(weights.begin(), weights.end(), gjk::ScalarTraits<R>::is_finite)) {
+    out.weights = gjk::weights_of<R>(careful);
+    if (!std::all_of(out.weights.begin(), out.weights.end(), gjk::ScalarTraits<R>::is_finite)) {
       const gjk::Face nearest = gjk::nearest_face(out);  // its area is lost in rounding
       gjk::set_weights<R, 3>(out.weights, nearest, gjk::barycentric(out, nearest));
     }
@@ -140,7 +134,8 @@ template <class R, class S, class N>
     if (!(distance < least)) continue;
     least = distance;
     best = out;
-    if (k < 0 && std::find(weights.begin(), weights.end(), R(0)) == weights.end()) break;
+    const auto last = out.weights.begin() + 3;
+    if (k < 0 && std::find(out.weights.begin(), last, R(0)) == last) break;
   }
   for (int i = 0; i < best.count; ++i)
     best.vertices[i] = gjk::support_point(query, prepared, best.vertices[i].pair);
@@ -160,7 +155,7 @@ template <class R, class S>
   out.lower = gjk::larger(R(nearest - R(8) * u * nearest - corner_error(state, prepared)), R(0));
   // The normal of the corners as they are, and if that turns too much as they are kept.
   const gjk::Simplex<Word, 3> careful =
-      gjk::careful_simplex(simplex_of(state.polytope, face), query, prepared);
+      gjk::careful_simplex(simplex_of<R>(state.polytope, face), query, prepared);
   R reach(0);
   const auto look_along = [&](const Vec<R, 3>& n) {
     const R length = gjk::careful_length(n);

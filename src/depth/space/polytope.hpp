@@ -39,10 +39,10 @@ struct Polytope {
   /// ones stay until they come to the front.
   std::vector<std::pair<Plain<R>, int>> heap;
 
-  [[nodiscard]] const Vec<R, 3> &at(const Face<R> &face, int i) const {
+  [[nodiscard]] const Vec<R, 3>& at(const Face<R>& face, int i) const {
     return corners[face.corners[i]].w;
   }
-  [[nodiscard]] Triangle<R> triangle(const std::array<int, 3> &of) const {
+  [[nodiscard]] Triangle<R> triangle(const std::array<int, 3>& of) const {
     return {corners[of[0]].w, corners[of[1]].w, corners[of[2]].w};
   }
 };
@@ -51,14 +51,14 @@ namespace detail {
 
 /// True where the face sees p, or with `least` 0 lies in one plane with it.
 template <class R>
-[[nodiscard]] bool sees(const Polytope<R> &polytope, int face, const Vec<R, 3> &p, int least = 1) {
-  const Face<R> &f = polytope.faces[face];
+[[nodiscard]] bool sees(const Polytope<R>& polytope, int face, const Vec<R, 3>& p, int least = 1) {
+  const Face<R>& f = polytope.faces[face];
   return least <= side_of<R>(polytope.triangle(f.corners), f, p);
 }
 
 template <class R>
-void add_face(Polytope<R> &polytope, const std::array<int, 3> &corners,
-              const std::array<int, 3> &neighbours) {
+void add_face(Polytope<R>& polytope, const std::array<int, 3>& corners,
+              const std::array<int, 3>& neighbours) {
   const int added = static_cast<int>(polytope.faces.size());
   polytope.faces.push_back({face_plane(polytope.triangle(corners)), corners, neighbours});
   polytope.heap.emplace_back(polytope.faces.back().distance_sq, added);
@@ -67,7 +67,7 @@ void add_face(Polytope<R> &polytope, const std::array<int, 3> &corners,
 
 /// The nearest face, which leaves the heap: it ends the run, or it is replaced.
 template <class R>
-[[nodiscard]] int take_nearest(Polytope<R> &polytope) {
+[[nodiscard]] int take_nearest(Polytope<R>& polytope) {
   for (;;) {
     std::pop_heap(polytope.heap.begin(), polytope.heap.end(), std::greater<>());
     const int nearest = polytope.heap.back().second;
@@ -81,8 +81,8 @@ template <class R>
 /// connected, and so are those that stay: their common boundary is one ring,
 /// and the walk meets its edges in order. It adds a face to each.
 template <class R, class Rec>
-void outgrow(Polytope<R> &polytope, int face, int first, int count, Rec &record) {
-  std::vector<Face<R>> &faces = polytope.faces;
+void outgrow(Polytope<R>& polytope, int face, int first, int count, Rec& record) {
+  std::vector<Face<R>>& faces = polytope.faces;
   const int apex = static_cast<int>(polytope.corners.size()) - 1;
   faces[face].is_outgrown = true;
   if constexpr (Rec::kOn) record.outgrown.push_back(face);
@@ -104,8 +104,8 @@ void outgrow(Polytope<R> &polytope, int face, int first, int count, Rec &record)
 
 /// Makes the polytope the hull of itself and of a point that `first` sees.
 template <class R, class Rec>
-void add_corner(Polytope<R> &polytope, int first, const gjk::SupportPoint<R, 3> &point,
-                Rec &record) {
+void add_corner(Polytope<R>& polytope, int first, const gjk::SupportPoint<R, 3>& point,
+                Rec& record) {
   const int begin = static_cast<int>(polytope.faces.size());
   polytope.corners.push_back(point);
   outgrow(polytope, first, 0, 3, record);
@@ -138,15 +138,15 @@ namespace detail {
 /// faces back to back, and what other points of the simplex see of it. Z has no
 /// more dimensions than it where it has no area.
 template <class R, class S>
-void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S, 3> &query,
-                const gjk::Prepared<R, 3> &prepared, State<R, 3> &state) {
+void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S, 3>& query,
+                const gjk::Prepared<R, 3>& prepared, State<R, 3>& state) {
   using Point = gjk::SupportPoint<R, 3>;
-  space::Polytope<R> &polytope = state.polytope;
-  std::vector<Point> &corners = polytope.corners;
+  space::Polytope<R>& polytope = state.polytope;
+  std::vector<Point>& corners = polytope.corners;
   corners.reserve(16);
   polytope.faces.reserve(64);
   polytope.heap.reserve(64);
-  const auto take = [&](const Point &point) {
+  const auto take = [&](const Point& point) {
     const std::size_t count = corners.size();
     const bool fits = count == 0 ||
                       (count == 1 && !gjk::is_zero(Vec<R, 3>(point.w - corners[0].w))) ||
@@ -155,8 +155,8 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
     return fits;
   };
   std::erase_if(points, take);
-  const auto look_along = [&](const Vec<R, 3> &d) {
-    const auto found = [&](const Vec<R, 3> &way) {
+  const auto look_along = [&](const Vec<R, 3>& d) {
+    const auto found = [&](const Vec<R, 3>& way) {
       return take(gjk::support_point(query, prepared, gjk::farthest_pair(query, prepared, way)));
     };
     return found(d) || found(-d);
@@ -171,7 +171,7 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
   space::detail::add_face(polytope, {0, 1, 2}, {1, 1, 1});
   space::detail::add_face(polytope, {0, 2, 1}, {0, 0, 0});
   NoRecord none;
-  for (const Point &point : points) {
+  for (const Point& point : points) {
     for (int face = 0; face < static_cast<int>(polytope.faces.size()); ++face) {
       if (polytope.faces[face].is_outgrown || !space::detail::sees(polytope, face, point.w))
         continue;
@@ -183,43 +183,43 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
 
 /// Makes rough planes careful, as a trace shows them.
 template <class R>
-void measure_all(space::Polytope<R> &polytope) {
+void measure_all(space::Polytope<R>& polytope) {
   if constexpr (std::is_floating_point_v<R>) {
-    for (space::Face<R> &face : polytope.faces)
-      static_cast<space::Plane<R> &>(face) = careful_plane(polytope.triangle(face.corners));
+    for (space::Face<R>& face : polytope.faces)
+      static_cast<space::Plane<R>&>(face) = careful_plane(polytope.triangle(face.corners));
   }
 }
 
 /// Corner i of the nearest face.
 template <class R>
-[[nodiscard]] const gjk::SupportPoint<R, 3> &nearest_corner(const State<R, 3> &state, int i) {
+[[nodiscard]] const gjk::SupportPoint<R, 3>& nearest_corner(const State<R, 3>& state, int i) {
   return state.polytope.corners[state.polytope.faces[state.face].corners[i]];
 }
 
 /// A triangle without an area has no normal: any direction perpendicular to its
 /// edges will do.
 template <class R, class Rec>
-void find_nearest(State<R, 3> &state, Rec &record) {
-  const std::vector<space::Face<R>> &faces = state.polytope.faces;
+void find_nearest(State<R, 3>& state, Rec& record) {
+  const std::vector<space::Face<R>>& faces = state.polytope.faces;
   if constexpr (Rec::kOn) {
     for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
       if (!faces[i].is_outgrown) record.faces.push_back(i);
     }
   }
   state.face = space::detail::take_nearest(state.polytope);
-  const Vec<R, 3> &a = nearest_corner(state, 0).w;
+  const Vec<R, 3>& a = nearest_corner(state, 0).w;
   const Vec<R, 3> ab = nearest_corner(state, 1).w - a;
   if constexpr (gjk::ScalarTraits<R>::kExact) {
     state.n = gjk::cross(ab, Vec<R, 3>(nearest_corner(state, 2).w - a));
   } else {
-    const Vec<R, 3> &n = faces[state.face].n;
+    const Vec<R, 3>& n = faces[state.face].n;
     state.n = n * space::good_unit(n);
   }
   if (gjk::is_zero(state.n)) state.n = space::any_perpendicular(ab);
 }
 
 template <class R, class Rec>
-void expand(State<R, 3> &state, Rec &record) {
+void expand(State<R, 3>& state, Rec& record) {
   space::detail::add_corner(state.polytope, state.face, state.support, record);
 }
 
