@@ -72,10 +72,6 @@ void set_rounded_answer(const State<R, D>& state, const gjk::Result<R, D>& found
     if (options.proof == gjk::Proof::exact && !proof.is_tight)
       out.settled = settle(found, query, prepared, proof);
   }
-  if (!out.settled) {
-    const Vec<R, D> t = proof.direction * proof.depth;
-    proof.face = contact_face(state, t, query, prepared);
-  }
   out.depth = gjk::ScalarTraits<R>::scaled(proof.depth, prepared.exponent);
   if (options.proof != gjk::Proof::none) {
     out.lower = gjk::scaled_below(proof.lower, prepared.exponent);
@@ -162,7 +158,6 @@ template <class R = gjk::Default, class S, int D>
   const gjk::Prepared<Run, D>& prepared = out.gjk.prepared;
   State<Run, D> state = start(query, prepared, out.gjk.result);
   out.initial = state;
-  if constexpr (D == 3) detail::measure_all(out.initial.polytope);
   Bounds<Run> bounds;
   while (state.stop == StopReason::running) {
     Step<Run, D> next;
@@ -170,7 +165,6 @@ template <class R = gjk::Default, class S, int D>
     next.iteration = state.iteration;
     step(state, query, prepared, next.record);
     next.after = state;
-    if constexpr (D == 3) detail::measure_all(next.after.polytope);
     detail::improve(bounds, next.phase, state, prepared);
     next.bounds = bounds;
     out.steps.push_back(std::move(next));

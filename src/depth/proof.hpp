@@ -17,7 +17,7 @@ struct Proof {
   R lower = R(0);
   R upper = R(0);
   Vec<R, D> direction = Vec<R, D>::Zero();
-  gjk::Simplex<R, D> face;  ///< See Result::face; `contact_face` sets it.
+  gjk::Simplex<R, D> face;  ///< See Result::face.
 };
 
 /// How much farther than the nearest face Z may reach along its normal, in u times the size of Z,

@@ -153,7 +153,7 @@ template <class Wide, class R>
   return nearest;
 }
 
-/// Bounds of a run that rounded, but for the edge of contact.
+/// Bounds of a run that rounded, and the edge of contact.
 template <class R, class S>
 [[nodiscard]] Proof<R, 2> prove(const State<R, 2>& state, const gjk::Query<S, 2>& query,
                                 const gjk::Prepared<R, 2>& prepared) {
@@ -193,6 +193,7 @@ template <class R, class S>
   const R unit = u * Traits::root(size);
   out.is_tight = is_certain && reach - nearest.value <= R(kAllowedGap) * unit &&
                  out.upper - out.lower <= Traits::from(gjk::kAllowedWidth) * unit;
+  out.face = contact_face(state, Vec<R, 2>(out.direction * out.depth), query, prepared);
   return out;
 }
 

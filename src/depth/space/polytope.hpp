@@ -1,22 +1,20 @@
 #pragma once
 // The expanding polytope: the loop's part in space.
 //
-// Which faces see a point is decided exactly, so the polytope is convex and
-// never folds. Faces in one plane with the support point are replaced, too:
-// then no new face is without an area, since none of the faces that stay holds
-// the support point in its plane. O need not lie inside: a face that O lies
-// beyond counts as nearer than all others, and the polytope grows there first.
+// Which faces see a point is decided exactly, so the polytope is convex and never folds. Faces in
+// one plane with the support point are replaced, too: then no new face is without an area, since
+// none of the faces that stay holds the support point in its plane. O need not lie inside: a face
+// that O lies beyond counts as nearer than all others, and the polytope grows there first.
 
 #include <array>
-#include <functional>
 
 #include "depth/space/face_plane.hpp"
 #include "depth/state.hpp"
 
 namespace depth::space {
 
-/// A triangle, its corners counter-clockwise seen from outside. One that the
-/// polytope has outgrown stays where it is, so that indices keep their meaning.
+/// A triangle, its corners counter-clockwise seen from outside. One that the polytope has outgrown
+/// stays where it is, so that indices keep their meaning.
 template <class R>
 struct Face : Plane<R> {
   std::array<int, 3> corners = {};
@@ -29,15 +27,13 @@ struct Face : Plane<R> {
   }
 };
 
-/// Some points of Z and their convex hull. A hull that is flat has two faces,
-/// back to back; where it has no area both are one edge or point.
+/// Some points of Z and their convex hull. A hull that is flat has two faces, back to back; where
+/// it has no area both are one edge or point.
 template <class R>
 struct Polytope {
   std::vector<gjk::SupportPoint<R, 3>> corners;  ///< Also those that have come to lie inside.
   std::vector<Face<R>> faces;
-  /// A heap of faces, by distance_sq and index, the nearest in front. Outgrown
-  /// ones stay until they come to the front.
-  std::vector<std::pair<Plain<R>, int>> heap;
+  std::vector<int> hull;  ///< Faces that are not outgrown, in order.
 
   [[nodiscard]] const Vec<R, 3>& at(const Face<R>& face, int i) const {
     return corners[face.corners[i]].w;
@@ -61,25 +57,12 @@ void add_face(Polytope<R>& polytope, const std::array<int, 3>& corners,
               const std::array<int, 3>& neighbours) {
   const int added = static_cast<int>(polytope.faces.size());
   polytope.faces.push_back({face_plane(polytope.triangle(corners)), corners, neighbours});
-  polytope.heap.emplace_back(polytope.faces.back().distance_sq, added);
-  std::push_heap(polytope.heap.begin(), polytope.heap.end(), std::greater<>());
+  polytope.hull.push_back(added);
 }
 
-/// The nearest face, which leaves the heap: it ends the run, or it is replaced.
-template <class R>
-[[nodiscard]] int take_nearest(Polytope<R>& polytope) {
-  for (;;) {
-    std::pop_heap(polytope.heap.begin(), polytope.heap.end(), std::greater<>());
-    const int nearest = polytope.heap.back().second;
-    polytope.heap.pop_back();
-    if (!polytope.faces[nearest].is_outgrown) return nearest;
-  }
-}
-
-/// Marks a face that sees the last corner, or lies in one plane with it, and
-/// all such faces beyond `count` of its edges from `first` on. They are
-/// connected, and so are those that stay: their common boundary is one ring,
-/// and the walk meets its edges in order. It adds a face to each.
+/// Marks a face that sees the last corner, or lies in one plane with it, and all such faces beyond
+/// `count` of its edges from `first` on. They are connected, and so are those that stay: their
+/// common boundary is one ring, and the walk meets its edges in order. It adds a face to each.
 template <class R, class Rec>
 void outgrow(Polytope<R>& polytope, int face, int first, int count, Rec& record) {
   std::vector<Face<R>>& faces = polytope.faces;
@@ -112,6 +95,7 @@ void add_corner(Polytope<R>& polytope, int first, const gjk::SupportPoint<R, 3>&
   const int last = static_cast<int>(polytope.faces.size()) - 1;
   polytope.faces[begin].neighbours[2] = last;
   polytope.faces[last].neighbours[1] = begin;
+  std::erase_if(polytope.hull, [&](int face) { return polytope.faces[face].is_outgrown; });
 }
 
 }  // namespace detail
@@ -134,9 +118,9 @@ struct Record<R, 3> : Notes<R> {
 
 namespace detail {
 
-/// The first polytope, of the simplex and what it lacks to be a triangle: two
-/// faces back to back, and what other points of the simplex see of it. Z has no
-/// more dimensions than it where it has no area.
+/// The first polytope, of the simplex and what it lacks to be a triangle: two faces back to back,
+/// and what other points of the simplex see of it. Z has no more dimensions than it where it has no
+/// area.
 template <class R, class S>
 void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S, 3>& query,
                 const gjk::Prepared<R, 3>& prepared, State<R, 3>& state) {
@@ -145,12 +129,15 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
   std::vector<Point>& corners = polytope.corners;
   corners.reserve(16);
   polytope.faces.reserve(64);
-  polytope.heap.reserve(64);
+  polytope.hull.reserve(64);
+  const auto has_area = [](const Vec<R, 3>& a, const Vec<R, 3>& b, const Vec<R, 3>& c) {
+    return !gjk::is_zero(space::face_plane<R>({a, b, c}).n);  // exact: no thin plane is rough
+  };
   const auto take = [&](const Point& point) {
     const std::size_t count = corners.size();
     const bool fits = count == 0 ||
                       (count == 1 && !gjk::is_zero(Vec<R, 3>(point.w - corners[0].w))) ||
-                      (count == 2 && !space::has_no_area<R>(corners[0].w, corners[1].w, point.w));
+                      (count == 2 && has_area(corners[0].w, corners[1].w, point.w));
     if (fits) corners.push_back(point);
     return fits;
   };
@@ -172,21 +159,10 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
   space::detail::add_face(polytope, {0, 2, 1}, {0, 0, 0});
   NoRecord none;
   for (const Point& point : points) {
-    for (int face = 0; face < static_cast<int>(polytope.faces.size()); ++face) {
-      if (polytope.faces[face].is_outgrown || !space::detail::sees(polytope, face, point.w))
-        continue;
-      space::detail::add_corner(polytope, face, point, none);
-      break;
-    }
-  }
-}
-
-/// Makes rough planes careful, as a trace shows them.
-template <class R>
-void measure_all(space::Polytope<R>& polytope) {
-  if constexpr (std::is_floating_point_v<R>) {
-    for (space::Face<R>& face : polytope.faces)
-      static_cast<space::Plane<R>&>(face) = careful_plane(polytope.triangle(face.corners));
+    const auto seeing = std::find_if(polytope.hull.begin(), polytope.hull.end(), [&](int face) {
+      return space::detail::sees(polytope, face, point.w);
+    });
+    if (seeing != polytope.hull.end()) space::detail::add_corner(polytope, *seeing, point, none);
   }
 }
 
@@ -196,24 +172,21 @@ template <class R>
   return state.polytope.corners[state.polytope.faces[state.face].corners[i]];
 }
 
-/// A triangle without an area has no normal: any direction perpendicular to its
-/// edges will do.
+/// A triangle without an area has no normal: any direction perpendicular to its edges will do.
 template <class R, class Rec>
 void find_nearest(State<R, 3>& state, Rec& record) {
   const std::vector<space::Face<R>>& faces = state.polytope.faces;
-  if constexpr (Rec::kOn) {
-    for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
-      if (!faces[i].is_outgrown) record.faces.push_back(i);
-    }
-  }
-  state.face = space::detail::take_nearest(state.polytope);
+  const std::vector<int>& hull = state.polytope.hull;
+  if constexpr (Rec::kOn) record.faces = hull;
+  state.face = *std::min_element(hull.begin(), hull.end(), [&](int one, int other) {
+    return faces[one].distance_sq < faces[other].distance_sq;
+  });
   const Vec<R, 3>& a = nearest_corner(state, 0).w;
   const Vec<R, 3> ab = nearest_corner(state, 1).w - a;
   if constexpr (gjk::ScalarTraits<R>::kExact) {
     state.n = gjk::cross(ab, Vec<R, 3>(nearest_corner(state, 2).w - a));
   } else {
-    const Vec<R, 3>& n = faces[state.face].n;
-    state.n = n * space::good_unit(n);
+    state.n = faces[state.face].n;
   }
   if (gjk::is_zero(state.n)) state.n = space::any_perpendicular(ab);
 }
