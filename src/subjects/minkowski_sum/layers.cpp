@@ -164,7 +164,7 @@ std::array<Vector2d, 4> lowest_places(const Shown& shown) {
 
 void stage(SceneBuilder& scene) {
   const Shown& shown = shown_in<Shown>(scene);
-  if (shown.told.refusal) return;
+  if (shown.trace.refusal) return;
   scene.view.kind == ViewKind::world ? in_world(scene, shown) : in_difference(scene, shown);
 }
 
