@@ -63,11 +63,11 @@ bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,
     const WideState& after = trace.steps[step].after;
     return run.lesson.dimension == 2 && after.p_sq > 0.0 && after.d.squaredNorm() > 0.0;
   }
-  const WideStep& told = trace.steps[step];
-  const bool is_of_segment = run.lesson.dimension == 2 && told.after.simplex.count == 2;
-  if (ask == asks::kRightAngle.name) return is_of_segment && told.after.p_sq > 0.0;
+  const WideStep& answer = trace.steps[step];
+  const bool is_of_segment = run.lesson.dimension == 2 && answer.after.simplex.count == 2;
+  if (ask == asks::kRightAngle.name) return is_of_segment && answer.after.p_sq > 0.0;
   if (ask == asks::kNormals.name)
-    return is_of_segment && told.record.direction.sign_is_arbitrary && told.after.p_sq == 0.0;
+    return is_of_segment && answer.record.direction.sign_is_arbitrary && answer.after.p_sq == 0.0;
   constexpr std::size_t kTooMany = 4;  // vertices for a simplex of the plane
   if (ask == asks::kMayBe.name)
     return run.lesson.dimension == 2 && run.point_query() &&

@@ -614,6 +614,10 @@ void closest_of_difference_question(const Story& story, FrameText& text) {
   for (const CloudPoint& corner : corners) add(corner, corner, true);
   for (std::size_t i = 0; i < corners.size(); ++i)
     add(corners[i], corners[(i + 1) % corners.size()], false);
+  asked.choices.emplace_back("a point inside");
+  asked.spots.emplace_back();
+  asked.refuted = fmt::format("From a point inside one could go on towards {}, and come closer.",
+                              is_grown ? "p" : "O");
   asked.place = p + shift;
   text.caption = is_grown
                      ? fmt::format(
