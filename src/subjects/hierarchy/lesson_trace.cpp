@@ -123,10 +123,33 @@ void run_search(SearchTold& told, const models::Hierarchy<V>& tree_x,
   told.trace = models::trace_search(query, told.options);
   told.tree_x = told_nodes(tree_x);
   told.tree_y = told_nodes(tree_y);
+  for (const models::Item& item : tree_x.items) told.segments_x.push_back(item.segment);
   if (told.options.goal == Goal::collide) return;
   models::SearchOptions left_first = told.options;
   left_first.nearer_first = false;
   told.left_first = models::trace_search(query, left_first);
+  models::SearchOptions collide = told.options;
+  collide.goal = Goal::collide;
+  collide.remembered.reset();
+  told.collide = models::trace_search(query, collide);
+}
+
+/// Searches for the distance with tiles from an eighth of the lesson's size to eight times, and
+/// without.
+void compare_tiles(SearchTold& told, double radius) {
+  for (double share = 0.125; share <= 8.0; share *= 2.0) {
+    const auto tree = [&](const models::Model& model) {
+      return models::build_hierarchy<models::Circle>(
+          models::tiles_of(model, share * radius, kMostTiles));
+    };
+    const auto tree_x = tree(told.x);
+    const auto tree_y = tree(told.y);
+    told.tile_sizes.push_back(
+        {share * radius,
+         models::search<models::Circle>({told.x, told.y, tree_x, tree_y}, told.options)});
+  }
+  told.of_boxes = models::search<models::Box>(told.x, told.y);
+  told.of_circles = models::search<models::Circle>(told.x, told.y);
 }
 
 std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const PositionedRun& run,
@@ -165,6 +188,7 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
       told.options.table = true;
       told.options.relative_error = lesson.options.tolerance;
       search(std::type_identity<models::Circle>{}, tiles);
+      compare_tiles(told, trees.tile);
       break;
   }
   return std::make_shared<const LessonTrace>(std::nullopt, std::move(told));
