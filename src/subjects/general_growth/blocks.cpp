@@ -17,8 +17,8 @@ const GrowthTimes* times_of(const Shown& shown, const Lesson& lesson) {
   const bool is_asked =
       std::any_of(lesson.questions.begin(), lesson.questions.end(),
                   [](const LessonQuestion& question) { return question.ask == kAskMethod.name; });
-  const bool is_told = !is_asked || shown.over > shown.sizes();
-  return shown.told.times && is_told ? &*shown.told.times : nullptr;
+  const bool is_known = !is_asked || shown.over > shown.sizes();
+  return shown.trace.times && is_known ? &*shown.trace.times : nullptr;
 }
 
 /// Pairs, and the time where the lesson has it.

@@ -86,7 +86,7 @@ std::optional<Extra> extra_of(const LessonRun& run, const Frame& frame) {
   return frame.part < 0 ? std::nullopt : std::optional(static_cast<Extra>(frame.part));
 }
 
-bool is_told(const LessonRun& run, const Frame& frame, Extra extra) {
+bool is_known(const LessonRun& run, const Frame& frame, Extra extra) {
   if (frame.question >= 0 &&
       run.asked(frame).ask == kExtraAsks[static_cast<std::size_t>(extra)]->name)
     return false;
@@ -238,8 +238,8 @@ bool is_introduced(const Lesson& lesson, long visit) {
 }
 
 /// The visit that ends with step `i` comes to the same as the next one, whose frame tells of both.
-bool is_told_with_the_next(const Lesson& lesson, const std::vector<SearchStep>& steps,
-                           std::size_t i) {
+bool is_explained_with_the_next(const Lesson& lesson, const std::vector<SearchStep>& steps,
+                                std::size_t i) {
   const auto next = std::find_if(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(),
                                  [](const SearchStep& step) { return ends_visit(step); });
   const auto is_same_again = [&](const SearchStep& step) {
@@ -277,10 +277,11 @@ void add_frames(LessonRun& run, int index) {
     const bool is_new_hit = step.record.hit && step.after.hits <= kMostHits;
     const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better &&
                             !is_new_hit && !asks_about_halves(run.lesson, visit + 1);
-    const bool is_told_later =
-        !is_long && is_told_with_the_next(run.lesson, trace.steps, static_cast<std::size_t>(i));
+    const bool is_explained_later =
+        !is_long &&
+        is_explained_with_the_next(run.lesson, trace.steps, static_cast<std::size_t>(i));
     if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
-        (ends_visit(step) && !is_between && !is_told_later))
+        (ends_visit(step) && !is_between && !is_explained_later))
       add(i + 1);
   }
   const int over = static_cast<int>(trace.steps.size()) + 1;
@@ -328,13 +329,13 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
   if (shown.is_answer || !shown.is(SearchPhase::visit)) return -1;
   if (question.at && *question.at != shown.state.visits) return -1;
   const SearchStep& bound = shown.search.trace.steps[shown.over];
-  const bool is_known = shown.state.candidate.has_value();
+  const bool has_candidate = shown.state.candidate.has_value();
   const bool are_boxes = trees_of(run.lesson).volumes == VolumeKind::boxes;
   const bool is_open = question.ask == kAskFirstLeaf.name
-                           ? !is_known && shown.state.pair.bound > 0.0
+                           ? !has_candidate && shown.state.pair.bound > 0.0
                        : question.ask == kAskDearer.name ? are_boxes
                        : question.ask == kAskGap.name ? !are_boxes && shown.state.pair.bound > 0.0
-                       : shown.is_distance()          ? is_known
+                       : shown.is_distance()          ? has_candidate
                                                       : !shown.are_leaves();
   return is_open && frame.step >= shown.over && bound.phase == SearchPhase::bound ? shown.over : -1;
 }

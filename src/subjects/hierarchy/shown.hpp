@@ -51,7 +51,7 @@ inline constexpr std::array<const AskInfo*, 7> kExtraAsks = {
 /// That of a frame which shows one, or asks for it.
 [[nodiscard]] std::optional<Extra> extra_of(const LessonRun& run, const Frame& frame);
 /// The frame shows what `extra` answers, or comes after those that do.
-[[nodiscard]] bool is_told(const LessonRun& run, const Frame& frame, Extra extra);
+[[nodiscard]] bool is_known(const LessonRun& run, const Frame& frame, Extra extra);
 [[nodiscard]] bool is_asked(const Lesson& lesson, const AskInfo& ask);
 /// The question of this name, about this visit.
 [[nodiscard]] bool is_asked_at(const Lesson& lesson, const AskInfo& ask, long visit);
@@ -86,7 +86,7 @@ struct Shown {
   Shown(const LessonRun& run, const Frame& frame);
 
   const Lesson& lesson;
-  const SearchTold& search;
+  const TracedSearch& search;
   int over = 0;                              ///< Steps that are over.
   const models::SearchStep* step = nullptr;  ///< The last of them; none at the start.
   const models::SearchState& state;          ///< The state after that step.
@@ -180,7 +180,7 @@ extern const Block kOrderCounters;
 // stage.cpp
 void stage(SceneBuilder& scene);
 /// The closest points of two segments, a line between them, and its length after `before`.
-void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::Nearest& pair,
+void shortest_way(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
                   const std::string& role, const std::string& id, const std::string& before);
 
 // tree.cpp

@@ -120,13 +120,13 @@ class Stage {
   [[nodiscard]] bool shows(Extra extra) const {
     return extra_of(scene_.run, scene_.frame) == extra;
   }
-  [[nodiscard]] bool is_told(Extra extra) const {
-    return searches::is_told(scene_.run, scene_.frame, extra);
+  [[nodiscard]] bool is_known(Extra extra) const {
+    return searches::is_known(scene_.run, scene_.frame, extra);
   }
 
   /// The leaves of both trees, unless their number is asked for.
   void tiles() {
-    if (is_asked(scene_.run.lesson, kAskTiles) && !is_told(Extra::tiles)) return;
+    if (is_asked(scene_.run.lesson, kAskTiles) && !is_known(Extra::tiles)) return;
     for (const bool of_x : {true, false}) {
       for (const TreeNode& node : shown_.search.tree(of_x)) {
         if (node.is_leaf())
@@ -153,7 +153,7 @@ class Stage {
       const TiledSegment longest = longest_segment(shown_);
       const models::Segment& s = shown_.search.x.segments[longest.segment];
       scene_.line("volume.bounded", scene_.at(s.a), scene_.at(s.b));
-      if (!is_told(Extra::tiles)) return;
+      if (!is_known(Extra::tiles)) return;
       for (const int leaf : longest.leaves) circle("volume.tile.marked", leaf);
     }
     if (shows(Extra::split)) split();
@@ -165,16 +165,16 @@ class Stage {
     const SplitOfTiles split = split_of(tree, 0);
     volume(true, 0, "volume.x");
     for (const int axis : {0, 1}) {
-      if (is_told(Extra::split) && axis != split.axis()) continue;
+      if (is_known(Extra::split) && axis != split.axis()) continue;
       const auto [from, to] = line_of(split, axis);
       scene_.line("volume.split", scene_.at(from), scene_.at(to));
-      if (is_told(Extra::split)) continue;
+      if (is_known(Extra::split)) continue;
       scene_.out.moving_labels.push_back(
           scene_.label(axis == 0 ? "split:upright" : "split:level", axis == 0 ? "upright" : "level",
                        "volume.x.label", type::kSmallVertex, scene_.at(to), 0.0,
                        axis == 0 ? Point(1.0, 0.0) : Point(0.0, -1.0)));
     }
-    if (!is_told(Extra::split)) return;
+    if (!is_known(Extra::split)) return;
     for (const int leaf : split.leaves[0]) circle("volume.half", leaf);
     for (const int child : {tree[0].left, tree[0].right}) volume(true, child, "volume.child");
   }
@@ -285,7 +285,7 @@ class Stage {
 
 }  // namespace
 
-void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::Nearest& pair,
+void shortest_way(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
                   const std::string& role, const std::string& id, const std::string& before) {
   const models::Answer closest = models::answer_of(pair, search.x, search.y);
   const Point x = scene.at(closest.a);

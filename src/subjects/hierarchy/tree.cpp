@@ -76,9 +76,9 @@ class TreePicture {
     return area_.min + Point(along * area_.size().x(), down * area_.size().y());
   }
   /// The node that a question at the start asked for.
-  [[nodiscard]] bool is_told_of(std::size_t i) const {
+  [[nodiscard]] bool is_asked_node(std::size_t i) const {
     return of_x_ && scene_.frame.step < 0 && extra_of(scene_.run, scene_.frame) == Extra::node &&
-           is_told(scene_.run, scene_.frame, Extra::node) &&
+           is_known(scene_.run, scene_.frame, Extra::node) &&
            node_on_way(tree_).node == static_cast<int>(i);
   }
   /// Visited by the search for a meeting, too, where the answer compares both.
@@ -140,7 +140,7 @@ class TreePicture {
       mark = current_mark(at, shown_.is_cut());
       name(at, tree_[i].is_leaf());
     }
-    if (is_told_of(i)) mark = {"tree.better", Disk{at, kCurrent}};
+    if (is_asked_node(i)) mark = {"tree.better", Disk{at, kCurrent}};
     if (is_met(i)) scene_.out.marks.push_back(met_mark(at));
     mark.subject = subject;
     scene_.out.marks.push_back(std::move(mark));
@@ -248,16 +248,17 @@ Plot plot_of_tiles(const SceneBuilder& scene, const Shown& shown) {
   PlotSeries measured{PlotStyle::third, "tiles: pairs measured", {}};
   double most = 10.0;
   for (const TileSize& size : sizes) {
-    const bool is_known = size.radius <= own || is_told(scene.run, scene.frame, Extra::tile_size);
+    const bool has_measured =
+        size.radius <= own || is_known(scene.run, scene.frame, Extra::tile_size);
     visits.points.emplace_back(size.radius, static_cast<double>(size.result.visits));
     most = std::max(most, static_cast<double>(size.result.visits));
-    if (is_known)
+    if (has_measured)
       measured.points.emplace_back(size.radius, static_cast<double>(size.result.measured));
   }
   Plot plot;
   plot.x = {sizes.front().radius, sizes.back().radius, true, "largest radius of a tile"};
   plot.series = {std::move(visits), std::move(measured)};
-  if (is_told(scene.run, scene.frame, Extra::volume)) {
+  if (is_known(scene.run, scene.frame, Extra::volume)) {
     const auto level = [&](PlotStyle style, std::string name, const models::SearchResult& result) {
       const auto at = static_cast<double>(result.visits);
       most = std::max(most, at);
