@@ -28,10 +28,10 @@ Lesson small_lesson() {
 struct Told {
   explicit Told(Lesson lesson)
       : run(run_lesson(std::move(lesson))), effects(run), texts(lesson_texts(run, effects)) {}
-  /// The text of a size, or of the outcome.
+  /// The text of a size, of the outcome, or of slow runs.
   [[nodiscard]] const FrameText& at(int detail) const {
     const std::size_t sizes = run.lesson.table.as<LessonGrowth>()->vertices.size();
-    return texts[texts.size() - 1 - sizes + static_cast<std::size_t>(detail)];
+    return texts[texts.size() - 2 - sizes + static_cast<std::size_t>(detail)];
   }
   [[nodiscard]] const Growth::Value& measured() { return effects.get<Growth>(run.frames.back()); }
 
@@ -64,7 +64,7 @@ TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
   Told told(small_lesson());
   const FrameText& outcome = told.at(5);
   EXPECT_EQ(outcome.position,
-            fmt::format("outcome · {} of {}", told.texts.size(), told.texts.size()));
+            fmt::format("outcome · {} of {}", told.texts.size() - 1, told.texts.size()));
   const Growth::Value& measured = told.measured();
   std::string last_kept;
   for (const Growth::Sample& sample : measured) {
@@ -99,10 +99,19 @@ TEST(GrowthPicture, PlotsShowWhatFramesHaveToldAndSetOffTheFramesOwn) {
     const int detail = shown_size(run, run.frames[i]).value_or(-1);
     const int told = std::min(detail + 1, 5);
     EXPECT_EQ(count(frames[i], "plot.first"), 2 * (told + 1)) << "in two plots, and by the name";
-    EXPECT_EQ(count(frames[i], "plot.fourth"), told + 1);
+    // Slow runs are a series of their own, of two sizes.
+    EXPECT_EQ(count(frames[i], "plot.fourth"), told + 1 + (detail == 6 ? 3 : 0));
     EXPECT_EQ(count(frames[i], "plot.first.label"), 2);
     EXPECT_EQ(count(frames[i], "plot.current"), detail >= 0 && detail < 5 ? 2 : 0);
   }
+}
+
+TEST(GrowthPicture, APolygonThatIsBuiltToBeSlowTakesAsManyIterationsAsVertices) {
+  Told told(small_lesson());
+  const SlowGrowth::Value& slow = told.effects.get<SlowGrowth>(told.run.frames.back());
+  ASSERT_EQ(slow.size(), 2u);
+  for (const SlowGrowth::Run& each : slow) EXPECT_EQ(each.iterations, each.vertices);
+  EXPECT_TRUE(holds(told.at(6).caption, "10 with 10 vertices")) << told.at(6).caption;
 }
 
 TEST(GrowthPicture, AsksHowIterationsGrowAtPlacesOfThePlot) {
