@@ -25,6 +25,13 @@ void frames(LessonRun& run, int index) {
 
 constexpr std::array kAsks = {kAskSource, kAskMover, kAskFaces, kAskDepthPoints, kAskCorners};
 
+std::optional<Growing> growth_asked(std::string_view ask) {
+  if (ask == kAskFaces.name) return Growing::faces;
+  if (ask == kAskDepthPoints.name) return Growing::depth;
+  if (ask == kAskCorners.name) return Growing::general;
+  return std::nullopt;
+}
+
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const std::optional<Growing> growing = growth_of(run, frame);
@@ -116,13 +123,6 @@ const Act kAct{
 };
 
 }  // namespace
-
-std::optional<Growing> growth_asked(std::string_view ask) {
-  if (ask == kAskFaces.name) return Growing::faces;
-  if (ask == kAskDepthPoints.name) return Growing::depth;
-  if (ask == kAskCorners.name) return Growing::general;
-  return std::nullopt;
-}
 
 std::optional<Growing> growth_of(const LessonRun& run, const Frame& frame) {
   if (frame.question >= 0) return growth_asked(run.asked(frame).ask);

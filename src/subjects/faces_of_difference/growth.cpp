@@ -94,9 +94,11 @@ CountedBodies spheres() {
   return {{sphere(random, kCount), sphere(random, kCount)}};
 }
 
+const FaceGrowth::Sample& asked_from(const FaceGrowth::Value& samples) { return samples[1]; }
+
 GrowthQuestion question_of(Growing growing, const FaceGrowth::Value& samples) {
   const FaceGrowth::Sample& last = samples.back();
-  const FaceGrowth::Sample& before = samples[samples.size() - 2];
+  const FaceGrowth::Sample& before = asked_from(samples);
   const double n = last.vertices;
   switch (growing) {
     case Growing::faces: {
@@ -124,16 +126,17 @@ GrowthQuestion question_of(Growing growing, const FaceGrowth::Value& samples) {
           {{{"n²", square}, {"n⁴", square * square}, {"n⁶", square * square * square}}}};
 }
 
-Plot faces_plot(Growing growing, bool asks, bool shows_ways, const FaceGrowth::Value& samples) {
+Plot faces_plot(Growing growing, bool asks, const FaceGrowth::Value& samples) {
   using Sample = FaceGrowth::Sample;
   Plot plot;
   plot.x = {1.0, 1e3, true, "vertices n of each body"};
   plot.y = {1.0, growing == Growing::general ? 1e9 : 1e5, true, ""};
   const auto count = [&](PlotStyle style, std::string name, int Sample::*counted, bool is_told) {
     PlotSeries series{style, std::move(name), {}};
-    const std::size_t told = is_told ? samples.size() : samples.size() - 1;
-    for (std::size_t i = 0; i < told; ++i)
-      series.points.emplace_back(samples[i].vertices, samples[i].*counted);
+    for (const Sample& sample : samples) {
+      if (!is_told && sample.vertices > asked_from(samples).vertices) break;
+      series.points.emplace_back(sample.vertices, sample.*counted);
+    }
     plot.series.push_back(std::move(series));
   };
   /// The power of n, as far as the plot reaches.
@@ -165,7 +168,7 @@ Plot faces_plot(Growing growing, bool asks, bool shows_ways, const FaceGrowth::V
       power(6, "n⁶");
       break;
   }
-  if (shows_ways) {
+  if (asks) {
     const GrowthQuestion question = question_of(growing, samples);
     add_ways(plot, question.vertices, question.before, question.ways);
   }

@@ -42,8 +42,9 @@ struct CountedBodies {
 /// convex.
 enum class Growing { faces, depth, general };
 
-/// Counts against the number of vertices. A question leaves out what it asks for; it chooses from
-/// `ways`, each so many times the number before it.
+/// Questions go from this size to the last one.
+[[nodiscard]] const FaceGrowth::Sample& asked_from(const FaceGrowth::Value& samples);
+/// A question chooses from `ways`, each so many times the number before it.
 struct GrowthQuestion {
   double vertices = 0.0;  ///< Its place on the x axis.
   double before = 1.0;
@@ -51,7 +52,7 @@ struct GrowthQuestion {
   std::array<WayToGrow, 3> ways;
 };
 [[nodiscard]] GrowthQuestion question_of(Growing growing, const FaceGrowth::Value& samples);
-[[nodiscard]] Plot faces_plot(Growing growing, bool asks, bool shows_ways,
-                              const FaceGrowth::Value& samples);
+/// Counts against the number of vertices. A question leaves out what it asks for.
+[[nodiscard]] Plot faces_plot(Growing growing, bool asks, const FaceGrowth::Value& samples);
 
 }  // namespace gjkscope

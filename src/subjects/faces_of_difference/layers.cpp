@@ -164,14 +164,8 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
     return true;
   }
   if (scene.view.kind != ViewKind::plot && !growing) return false;
-  const bool asks = scene.frame.question >= 0;
-  const auto& questions = scene.run.lesson.questions;
-  const bool shows_ways =
-      growing && std::any_of(questions.begin(), questions.end(), [&](const LessonQuestion& asked) {
-        return growth_asked(asked.ask) == growing;
-      });
   layers::add_plot(scene,
-                   faces_plot(growing.value_or(Growing::faces), asks, shows_ways,
+                   faces_plot(growing.value_or(Growing::faces), scene.frame.question >= 0,
                               scene.effects.get<FaceGrowth>(scene.frame)),
                    fonts);
   return true;

@@ -22,8 +22,6 @@ inline constexpr AskInfo kAskDepthPoints{"depth-points", "how many support point
 inline constexpr AskInfo kAskCorners{"general-corners",
                                      "which power of n bounds Z of bodies that are not convex"};
 
-/// The subject of questions of this name.
-[[nodiscard]] std::optional<Growing> growth_asked(std::string_view ask);
 /// Frames after the answer: counts as bodies grow. A question about them is one of them.
 [[nodiscard]] std::optional<Growing> growth_of(const LessonRun& run, const Frame& frame);
 

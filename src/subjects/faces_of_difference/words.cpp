@@ -147,8 +147,9 @@ void growth(const Story& story, Growing growing, FrameText& text) {
           "distance apart took {}.",
           last.vertices, last.asked_for_depth, last.asked_of_spheres);
       text.detail =
-          "Any face around O may be the nearest: the boundary of Z must be found on all sides of "
-          "O. Larsen knows no better way. A distance needs one side.";
+          "Any face around O may be the nearest, so Z's boundary must be found on all sides: "
+          "Larsen "
+          "knows no better way. A distance needs one side.";
       return;
     case Growing::general:
       text.caption =
@@ -176,7 +177,7 @@ void growth_question(const Story& story, Growing growing, FrameText& text) {
       text.caption = fmt::format(
           "Question: from n = {} to {}, how do the faces of Z grow for the lenses, most of them of "
           "pairs of edges? Point at a place.",
-          samples[samples.size() - 2].vertices, last.vertices);
+          asked_from(samples).vertices, last.vertices);
       return;
     case Growing::depth:
       text.caption = fmt::format(
@@ -186,8 +187,8 @@ void growth_question(const Story& story, Growing growing, FrameText& text) {
       return;
     case Growing::general:
       text.caption =
-          "Question: n parts of Y less n parts of X, and any three faces may meet: as which power "
-          "of n do the corners of Z grow? Point at a place.";
+          "Question: n parts of Y less n of X, of which any three faces may meet. As which power "
+          "do the corners of Z grow?";
       return;
   }
 }

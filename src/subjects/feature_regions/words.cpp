@@ -182,8 +182,7 @@ void reach_question(const Shown& shown, FrameText& text) {
       "From {} towards {} in the slab the distance falls: so {} has to lie in another region.", own,
       text.question->answer, other);
   text.caption = fmt::format(
-      "Question: {} lies beyond the plane of {}. Which vertex of {} reaches between the planes "
-      "through x and y, then? Point at it.",
+      "Question: {} lies beyond the plane of {}. Which vertex of {} lies between the planes, then?",
       other, beyond, shown.lesson.bodies[body].name);
 }
 
@@ -191,9 +190,11 @@ void before_question(const Shown& shown, FrameText& text) {
   const std::size_t body = shown.at().body;
   const std::string_view own = body == 1 ? "y" : "x";
   vertex_question(shown, body, std::nullopt, *text.question);
+  text.question->refuted =
+      fmt::format("The feature of {} is convex, too, so all of it lies beyond.", own);
   text.caption = fmt::format(
-      "Question: {} is closest on its feature alone. Which other vertex of {} may lie before the "
-      "plane through {}? Point at it.",
+      "Question: {} is the closest point of its feature. Which vertex of {} lies before the plane "
+      "through {}? Point at it.",
       own, shown.lesson.bodies[body].name, own);
 }
 

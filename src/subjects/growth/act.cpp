@@ -21,8 +21,9 @@ void growth_frames(LessonRun& run, int index) {
   add_step_frames(run, index, is_support_or_end);
   const int last = last_step(run.lesson, run.runs[index].trace);
   if (last < 0) return;
-  const int sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
-  for (int i = 0; i <= sizes + 1; ++i)
+  const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
+  const bool has_slow = sizes.front() <= SlowGrowth::kMost;
+  for (int i = 0; i <= static_cast<int>(sizes.size()) + (has_slow ? 1 : 0); ++i)
     run.frames.push_back({.run = index, .step = last, .part = i});
 }
 

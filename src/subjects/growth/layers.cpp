@@ -50,6 +50,14 @@ void growth_example(SceneBuilder& scene) {
   scene.line("closest.line", o, p);
   for (const Point& point : mapped(example.touched))
     scene.disk("cloud.touched", point, kTouchedRadius);
+  // The order in which they are found, as long as they are apart.
+  constexpr int kNumbered = 4;
+  for (int i = 0; is_built && i < kNumbered; ++i) {
+    const Point at = map(example.touched[i]);
+    scene.out.moving_labels.push_back(scene.label(fmt::format("example {}", i),
+                                                  std::to_string(i + 1), "cloud.label", type::kName,
+                                                  at, kTouchedRadius, at - p));
+  }
   scene.disk("closest", p, kClosestRadius);
   scene.add("origin", Cross{o, kOriginRadius});
   scene.out.obstacles.circles.push_back({o, kOriginRadius});

@@ -55,13 +55,13 @@ int size_in_question(const LessonRun& run, const Frame& frame) {
   return is_asked && size > 0 && size < sizes ? size : 0;
 }
 
-/// The places that a frame's question chooses from; the frame that tells keeps them.
+/// The places that a frame's question chooses from; a frame that tells of a size keeps them.
 void add_choices(Plot& plot, const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   const LessonGrowth& growth = *run.lesson.table.as<LessonGrowth>();
   if (const int size = size_in_question(run, frame); size > 0) {
     add_ways(plot, growth.vertices[size], effects.get<Growth>(frame)[size - 1].iterations,
              ways_to_grow(growth, size, kAskIterations.name));
-  } else if (is_slow(run, frame)) {
+  } else if (is_slow(run, frame) && frame.question >= 0) {
     const Slowest both = slowest(effects, frame);
     add_ways(plot, both.built.vertices, both.random.most_iterations, ways_to_be_slow(both));
   }
@@ -74,8 +74,8 @@ std::array<WayToGrow, 3> ways_to_grow(const LessonGrowth& growth, int size,
   constexpr double kLittle = 1.2;
   const double n = 1.0 * growth.vertices[size] / growth.vertices[size - 1];
   if (counted != kAskIterations.name)
-    return {{{"a little", kLittle}, {"as n", n}, {"as n · n", n * n}}};
-  return {{{"a little", kLittle}, {"twice as many", 2.0}, {"as n", n}}};
+    return {{{"a little", kLittle}, {"like n", n}, {"like n · n", n * n}}};
+  return {{{"a little", kLittle}, {"twice as many", 2.0}, {"like n", n}}};
 }
 
 Slowest slowest(EffectGraph& effects, const Frame& frame) {
@@ -87,7 +87,7 @@ std::array<WayToGrow, 3> ways_to_be_slow(const Slowest& slowest) {
   constexpr double kLittle = 1.2;
   return {{{"a few more", kLittle},
            {"twice as many", 2.0},
-           {"as n", 1.0 * slowest.built.vertices / slowest.random.most_iterations}}};
+           {"like n", 1.0 * slowest.built.vertices / slowest.random.most_iterations}}};
 }
 
 Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {

@@ -84,9 +84,8 @@ void slow(const Slowest& slowest, FrameText& text) {
       fmt::format("A polygon can be built so that GJK needs n iterations: {} with {} vertices.",
                   slowest.built.iterations, slowest.built.vertices);
   text.detail = fmt::format(
-      "X is a point. Each support point is only the next of Y's vertices, in turn on either side "
-      "of P, so all of them are found. Larsen's n is right, and rare: {} at most in {} random "
-      "runs.",
+      "X is a point. Each support point is only the next vertex, in turn on either side of P. "
+      "Larsen's n is right, and rare: {} at most in {} random runs.",
       slowest.random.most_iterations, slowest.random.runs);
 }
 
@@ -146,7 +145,7 @@ void growth_question(const Story& story, FrameText& text) {
   if (ask == kAskIterations.name) {
     ask_ways(ask, ways, to.iterations / from.iterations, true, text);
     text.question->refuted =
-        fmt::format("Twice as many would be {}, as n {}.", fixed(from.iterations * 2.0, 1),
+        fmt::format("Twice as many would be {}, like n {}.", fixed(from.iterations * 2.0, 1),
                     fixed(from.iterations * ways[2].ratio, 1));
     text.caption =
         fmt::format("Question: {}, how do the iterations grow? Point at a place.", sizes);

@@ -85,9 +85,9 @@ bool fill(SceneBuilder& scene, const Fonts&) {
               Polyline{{{x, grid.min.y()}, {x, grid.max.y()}}});
     if (i < columns)
       scene.add("shape.x.label", Text{{middle(i, 0).x(), grid.min.y() - 10.0},
-                                letters_of(shown, true, i),
-                                type::kName,
-                                Align::center});
+                                      letters_of(shown, true, i),
+                                      type::kName,
+                                      Align::center});
   }
   for (int i = 0; i <= rows; ++i) {
     const double y = grid.min.y() + i * cell.y();
@@ -95,21 +95,23 @@ bool fill(SceneBuilder& scene, const Fonts&) {
               Polyline{{{grid.min.x(), y}, {grid.max.x(), y}}});
     if (i < rows)
       scene.add("shape.y.label", Text{{grid.min.x() - 10.0, middle(0, i).y() + 6.0},
-                                letters_of(shown, false, i),
-                                type::kName,
-                                Align::right});
+                                      letters_of(shown, false, i),
+                                      type::kName,
+                                      Align::right});
   }
   Polyline way;
   const std::vector<models::WalkState> pairs = shown.pairs();
   for (const models::WalkState& pair : pairs)
     way.points.push_back(middle(place_of(pair.a), place_of(pair.b)));
-  scene.add("plot.first.line", way);
+  const std::vector<Point> cells = way.points;
+  scene.add("plot.first.line", std::move(way));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const models::Answer closest =
         models::answer_of(pairs[i].pair, shown.walk.query->model_a, shown.walk.query->model_b);
-    scene.add("plot.first", Disk{way.points[i], kSimplexRadius});
-    scene.add("plot.first.label", Text{way.points[i] + Point(0.0, 0.5 * cell.y() - 1.0),
-                                       fixed(closest.distance, 2), type::kText, Align::center});
+    const Point half = 0.5 * cell - Point(2.0, 2.0);
+    scene.add("plot.current", Box{{cells[i] - half, cells[i] + half}, 4.0});
+    scene.add("plot.first.label", Text{cells[i] + Point(0.0, 6.0), fixed(closest.distance, 2),
+                                       type::kText, Align::center});
   }
   return true;
 }

@@ -154,7 +154,8 @@ class Telling {
         fmt::format("The walk looked at {} of {} · {} pairs: each is closer than the last.",
                     pairs.size(), shown_.features(true), shown_.features(false));
     text_.detail =
-        "So no pair comes twice, and no walk looks at more than all: n · n at worst, says Larsen.";
+        "No pair comes twice, at two distances, so a walk takes all of them at most: O(n²), says "
+        "Larsen.";
   }
 
   void answer() {
@@ -207,11 +208,8 @@ void most_question(const Shown& shown, FrameText& text) {
   const auto most = std::max_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
     return count(a) < count(b);
   });
-  asked.refuted = fmt::format(
-      "There are {} + {} features, but one may come in many pairs: {} came in {}. Without a limit "
-      "a "
-      "pair would come twice, at the same distance.",
-      of_x, of_y, shown.name(false, most->b), count(*most));
+  asked.refuted = fmt::format("One of the {} + {} features may come often: {} came in {} pairs.",
+                              of_x, of_y, shown.name(false, most->b), count(*most));
   text.caption = fmt::format(
       "Question: {} has {} vertices and edges, {} has {}. How many pairs can a walk look at, at "
       "most?",

@@ -29,6 +29,10 @@ void reaches(PanelBuilder& panel) {
   panel.heading("Slab(x, y)");
   if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
   if (!shown.has_points()) return panel.row("the shapes overlap", "");
+  if (shown.is(Phase::closer)) {
+    panel.row("width, |xy| before", panel.numbers(shown.step->before.distance()));
+    return panel.row("|xy| now", panel.numbers(shown.step->after.distance()));
+  }
   panel.row("width |xy|", panel.numbers(shown.state().distance()));
   if (shown.is(Phase::slab) || shown.is_answer) {
     for (const Reach& reach : shown.step->reaches)

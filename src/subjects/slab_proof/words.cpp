@@ -58,9 +58,7 @@ void angle_question(const Shown& shown, const slab_proof::Step& step, FrameText&
   FrameQuestion& asked = *text.question;
   asked.choices = {"less than 90°", "90°", "more than 90°"};
   asked.answer = asked.choices[0];
-  asked.refuted = fmt::format(
-      "At 90° it would lie on the slab's line through {0}, at more on the far side of that line.",
-      moving);
+  asked.refuted = "At 90° it would lie on a side of the slab, at more outside of it.";
   text.caption = fmt::format(
       "Question: {} lies in the slab. How large is the angle at {} between the ways to it and to "
       "{}?",

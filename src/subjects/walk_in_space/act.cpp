@@ -20,6 +20,12 @@ void frames(LessonRun& run, int index) {
 
 constexpr std::array kAsks = {kAskNext, kAskPairs, kAskSmallMoves, kAskFirstPair};
 
+std::optional<WalkGrowing> growth_asked(std::string_view ask) {
+  if (ask == kAskSmallMoves.name) return WalkGrowing::coherent;
+  if (ask == kAskFirstPair.name) return WalkGrowing::cold;
+  return std::nullopt;
+}
+
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const std::optional<WalkGrowing> growing = growth_of(run, frame);
@@ -99,12 +105,6 @@ const EffectInfo kSpaceWalkGrowth =
     effect_info<SpaceWalkGrowth>("frame", "steps of the walk and of GJK as moving bodies grow");
 
 }  // namespace
-
-std::optional<WalkGrowing> growth_asked(std::string_view ask) {
-  if (ask == kAskSmallMoves.name) return WalkGrowing::coherent;
-  if (ask == kAskFirstPair.name) return WalkGrowing::cold;
-  return std::nullopt;
-}
 
 std::optional<WalkGrowing> growth_of(const LessonRun& run, const Frame& frame) {
   if (frame.question >= 0) return growth_asked(run.asked(frame).ask);

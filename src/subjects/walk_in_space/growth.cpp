@@ -99,8 +99,7 @@ double SpaceWalkGrowth::Sample::*counted_for(WalkGrowing growing) {
                                       : &SpaceWalkGrowth::Sample::small_moves;
 }
 
-Plot space_walk_plot(WalkGrowing growing, bool asks, bool shows_ways,
-                     const SpaceWalkGrowth::Value& samples) {
+Plot space_walk_plot(WalkGrowing growing, bool asks, const SpaceWalkGrowth::Value& samples) {
   using Sample = SpaceWalkGrowth::Sample;
   Plot plot;
   const double most = samples.back().vertices;
@@ -121,18 +120,18 @@ Plot space_walk_plot(WalkGrowing growing, bool asks, bool shows_ways,
     count(PlotStyle::first, "pairs of Lin-Canny", &Sample::pairs);
     return plot;
   }
-  plot.y = {1.0, most * most, true, "pairs of Lin-Canny a position"};
   const bool is_cold = growing == WalkGrowing::cold;
+  plot.y = {1.0, is_cold ? most * most : most, true, "pairs of Lin-Canny a position"};
   if (is_cold) count(PlotStyle::fourth, "from the first vertices", &Sample::first_pair, !asks);
   count(PlotStyle::second, "from the last pair, moves as small as features", &Sample::small_moves,
         is_cold || !asks);
   count(PlotStyle::first, "from the last pair, one move for all n", &Sample::pairs);
-  for (const int power : {1, 2}) {
+  for (int power = 1; power <= (is_cold ? 2 : 1); ++power) {
     const Eigen::Vector2d end(most, std::pow(most, power));
     plot.series.push_back({PlotStyle::limit, "", {{1.0, 1.0}, end}, PlotJoin::lines, false});
     plot.notes.push_back({PlotStyle::limit, end, power == 1 ? "n" : "n²"});
   }
-  if (shows_ways) add_ways(plot, most, asked_from(samples).*counted_for(growing), ways_of(samples));
+  if (asks) add_ways(plot, most, asked_from(samples).*counted_for(growing), ways_of(samples));
   return plot;
 }
 

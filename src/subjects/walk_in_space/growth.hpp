@@ -41,7 +41,7 @@ enum class WalkGrowing { beside_gjk, coherent, cold };
 [[nodiscard]] double SpaceWalkGrowth::Sample::*counted_for(WalkGrowing growing);
 
 /// Counts against the number of vertices. A question leaves out what it asks for.
-[[nodiscard]] Plot space_walk_plot(WalkGrowing growing, bool asks, bool shows_ways,
+[[nodiscard]] Plot space_walk_plot(WalkGrowing growing, bool asks,
                                    const SpaceWalkGrowth::Value& samples);
 
 }  // namespace gjkscope

@@ -53,15 +53,10 @@ const Layer kBehind{
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
   const std::optional<WalkGrowing> growing = growth_of(scene.run, scene.frame);
   if (scene.view.kind != ViewKind::plot && !growing) return false;
-  const auto& questions = scene.run.lesson.questions;
-  const bool shows_ways =
-      growing && std::any_of(questions.begin(), questions.end(), [&](const LessonQuestion& asked) {
-        return growth_asked(asked.ask) == growing;
-      });
   layers::add_plot(
       scene,
       space_walk_plot(growing.value_or(WalkGrowing::beside_gjk), scene.frame.question >= 0,
-                      shows_ways, scene.effects.get<SpaceWalkGrowth>(scene.frame)),
+                      scene.effects.get<SpaceWalkGrowth>(scene.frame)),
       fonts);
   return true;
 }

@@ -24,8 +24,6 @@ inline constexpr AskInfo kAskSmallMoves{
 inline constexpr AskInfo kAskFirstPair{
     "first-pair", "how pairs grow with the bodies where each walk starts anew"};
 
-/// The subject of questions of this name.
-[[nodiscard]] std::optional<WalkGrowing> growth_asked(std::string_view ask);
 /// Frames after the path: counts as bodies grow. A question about them is one of them.
 [[nodiscard]] std::optional<WalkGrowing> growth_of(const LessonRun& run, const Frame& frame);
 
