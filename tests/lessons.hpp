@@ -46,7 +46,7 @@ inline Lesson shipped_lesson(const std::string& id) {
 }
 
 /// Its frames alone that tell, without what leads to the next lesson.
-inline Lesson told_lesson(const std::string& id) {
+inline Lesson lesson_without_questions(const std::string& id) {
   Lesson lesson = shipped_lesson(id);
   lesson.questions.clear();
   lesson.next.clear();

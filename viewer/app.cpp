@@ -308,8 +308,8 @@ void App::go_on() {
   open_path(listed(place.lesson)->file);
   const auto& frames = session_.run().frames;
   int at = 0;
-  for (int told = 0; at + 1 < session_.frame_count() && told < place.frame; ++at)
-    told += frames[at].question < 0 ? 1 : 0;
+  for (int counted = 0; at + 1 < session_.frame_count() && counted < place.frame; ++at)
+    counted += frames[at].question < 0 ? 1 : 0;
   session_.go_to(at);
 }
 
@@ -745,7 +745,7 @@ std::string App::state_json() {
       {"frames", session_.frame_count()},
       {"iteration", session_.text().iteration},
       {"phase", session_.text().phase},
-      {"caption", session_.told().caption},
+      {"caption", session_.shown_text().caption},
       {"unsaved", session_.is_unsaved()},
       {"undo", session_.undo_name()},
       {"redo", session_.redo_name()},

@@ -415,7 +415,7 @@ void App::export_frames(ExportOptions options, bool all) {
   gives_export_up_ = false;
   stop_export_ = {};
   options.stop = stop_export_.get_token();
-  options.told = [this](int done, int count) {
+  options.on_progress = [this](int done, int count) {
     export_done_ = done;
     export_count_ = count;
   };

@@ -297,7 +297,7 @@ void App::draw_steps() {
   const float end = ImGui::GetWindowContentRegionMax().x;
   // The number of steps would give answers away.
   const std::string place =
-      session_.last_told() + 1 == session_.frame_count()
+      session_.last_open() + 1 == session_.frame_count()
           ? fmt::format("{} of {}", session_.index() + 1, session_.frame_count())
           : "";
   const float place_width = ImGui::CalcTextSize(place.c_str()).x + gap;

@@ -101,7 +101,7 @@ struct ModelsAnswer {
   long visits = 0;
 };
 
-ModelsAnswer told(const models::SearchResult& found) { return {found.answer, found.visits}; }
+ModelsAnswer answer_of(const models::SearchResult& found) { return {found.answer, found.visits}; }
 
 ModelsAnswer answer_of(const models::Model& a, const models::Model& b, ModelMethod method) {
   switch (method) {
@@ -115,9 +115,9 @@ ModelsAnswer answer_of(const models::Model& a, const models::Model& b, ModelMeth
       return {found.answer, found.visits};
     }
     case ModelMethod::boxes:
-      return told(models::search<models::Box>(a, b));
+      return answer_of(models::search<models::Box>(a, b));
     case ModelMethod::circles:
-      return told(models::search<models::Circle>(a, b));
+      return answer_of(models::search<models::Circle>(a, b));
     case ModelMethod::lin_canny: {
       const models::WalkResult found = models::lin_canny(models::walk_query(a, b));
       return {found.answer, found.steps};

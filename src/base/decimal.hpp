@@ -7,7 +7,7 @@
 
 namespace gjkscope {
 
-/// The shortest decimal that reads back to the same bits, told from a whole number by a point or an
+/// The shortest decimal that reads back to the same bits, distinguished from a whole number by a point or an
 /// exponent: "2.0", "-0.0", "1e-07". `value` must be finite.
 [[nodiscard]] inline std::string decimal(double value) {
   std::string text = fmt::format("{}", value);

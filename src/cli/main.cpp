@@ -387,13 +387,15 @@ void add_commands(CLI::App& app, Arguments& args) {
       "  gjkscope judge --program 'gjkscope solve -' --family needle --pairs 100\n"
       "  gjkscope judge --program ./mine --program ./theirs --float\n");
 
-  CLI::App* told = app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
-  told->add_option("lesson", args.lessons.names,
-                   "Ids or files of lessons, files of cases (.json, .wkt, .obj, .txt, ...), or -");
-  told->add_flag("--all", args.lessons.all, "All shipped lessons");
-  told->add_flag("--markdown", args.markdown, "Print headings and lists in Markdown");
-  add_no_questions(told);
-  told->footer(
+  CLI::App* transcript =
+      app.add_subcommand("transcript", "Print the words of lessons, frame by frame");
+  transcript->add_option(
+      "lesson", args.lessons.names,
+      "Ids or files of lessons, files of cases (.json, .wkt, .obj, .txt, ...), or -");
+  transcript->add_flag("--all", args.lessons.all, "All shipped lessons");
+  transcript->add_flag("--markdown", args.markdown, "Print headings and lists in Markdown");
+  add_no_questions(transcript);
+  transcript->footer(
       "A frame's words are also the alternative text of its figure.\n\n"
       "Examples:\n  gjkscope transcript polygon-evolution\n"
       "  gjkscope transcript --all --markdown > lessons.md\n");

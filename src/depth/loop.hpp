@@ -52,7 +52,7 @@ template <class S, int D>
 }
 
 /// Roundings of dot(n, support - corner) that are taken for no progress: in the plane all that it
-/// can have. In space exact arithmetic has told before that the face sees the support point.
+/// can have. In space exact arithmetic has decided before that the face sees the support point.
 template <int D>
 inline constexpr int kProgressRoundings = D == 2 ? 4 : 1;
 

@@ -48,12 +48,12 @@ class Progress {
  public:
   Progress(const ExportOptions& options, std::size_t lesson_count)
       : wanted_(options.progress),
-        told_(options.told),
+        on_progress_(options.on_progress),
         terminal_(::isatty(STDERR_FILENO) == 1),
         lesson_count_(lesson_count) {}
 
   void frame(std::size_t lesson, const std::string& id, int done, int count) {
-    if (told_) told_(done, count);
+    if (on_progress_) on_progress_(done, count);
     if (!wanted_ || !terminal_) return;
     const auto now = std::chrono::steady_clock::now();
     if (done != count && now - last_ < std::chrono::milliseconds(100)) return;
@@ -70,7 +70,7 @@ class Progress {
 
  private:
   bool wanted_;
-  std::function<void(int done, int count)> told_;
+  std::function<void(int done, int count)> on_progress_;
   bool terminal_;
   std::size_t lesson_count_;
   std::chrono::steady_clock::time_point last_;

@@ -42,7 +42,7 @@ struct ExportOptions {
   bool index = false;     ///< png: also write index.html, the contact sheet of these lessons.
   bool progress = false;  ///< Say on stderr what is being done.
   /// Called for each frame of a lesson, in the thread that exports.
-  std::function<void(int done, int count)> told = {};
+  std::function<void(int done, int count)> on_progress = {};
   /// Ends the export as a signal does. With one that can be asked, signals are left to the caller.
   std::stop_token stop = {};
   bool force = false;  ///< Replace files that were not exported; make again what is up to date.

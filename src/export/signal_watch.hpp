@@ -1,5 +1,5 @@
 #pragma once
-// Being told to stop, and finishing properly.
+// A signal asks the program to stop: it finishes what it writes first.
 
 #include <csignal>
 

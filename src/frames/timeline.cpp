@@ -87,8 +87,8 @@ void name_ticks(std::vector<Mark>& marks, const std::vector<PlacedTick>& ticks, 
       place(placed, tick.label, true);
       return;
     }
-    const bool is_told = placed.is_named && !tick.question && place(placed, tick.label, false);
-    if (is_told) return;
+    const bool is_shown = placed.is_named && !tick.question && place(placed, tick.label, false);
+    if (is_shown) return;
     place(placed, tick.short_label.empty() ? tick.label : tick.short_label, placed.is_event());
   };
   const auto rank = [](const PlacedTick& placed) {

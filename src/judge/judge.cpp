@@ -296,7 +296,7 @@ class Judge {
   // Claims that several lines make together.
 
   /// The pair whose difference is `point`, or nothing, with the reason.
-  std::optional<VertexPair> pair_of(const Point& point, std::optional<VertexPair> told,
+  std::optional<VertexPair> pair_of(const Point& point, std::optional<VertexPair> given,
                                     std::size_t i) {
     const std::string p = shown(point);
     if (!point.allFinite()) {
@@ -307,16 +307,16 @@ class Judge {
       return length(difference(exact(point), vertex(pair)));
     };
     const double allowed = explained(x_.longest + y_.longest);
-    const VertexPair nearest = told ? *told : nearest_pair(point);
+    const VertexPair nearest = given ? *given : nearest_pair(point);
     const double off = error(nearest);
     if (off <= allowed) {
       explain(Part::vertex, i, off, allowed);
       return nearest;
     }
     std::string what = fmt::format("the vertex {} is no difference: {} {} {}, which is {} away", p,
-                                   told ? "its pair is" : "the nearest is", name(nearest),
+                                   given ? "its pair is" : "the nearest is", name(nearest),
                                    shown(vertex(nearest)), number(off));
-    for (const auto& [x, y] : told ? Pairs{*told} : all_pairs()) {
+    for (const auto& [x, y] : given ? Pairs{*given} : all_pairs()) {
       const Vertex& at_x = x_.vertices[x];
       const Vertex& at_y = y_.vertices[y];
       if (length(Vertex(exact(point) - at_y - at_x)) <= allowed) {
@@ -870,8 +870,8 @@ class Judge {
     if (std::isnan(exact_depth.value)) return;
     out_.depth = exact_depth.value;
     const double allowed = explained(size()) + log_.tolerance * exact_depth.upper;
-    const auto fits = [&](double told) {
-      return exact_depth.lower - allowed <= told && told <= exact_depth.upper + allowed;
+    const auto fits = [&](double depth) {
+      return exact_depth.lower - allowed <= depth && depth <= exact_depth.upper + allowed;
     };
     const std::string truth = out_.overlap ? "the depth is " + number(exact_depth.value)
                                            : "the shapes are apart, and have no depth";

@@ -135,22 +135,22 @@ class Reader {
           kHead);
       return;
     }
-    if (const json* told = member(value, "difference")) {
-      if (*told != "b-a" && *told != "a-b")
-        report({"difference"}, "/difference is " + shown(*told), R"("b-a" or "a-b")");
-      log_.a_is_x = *told != "a-b";
+    if (const json* given = member(value, "difference")) {
+      if (*given != "b-a" && *given != "a-b")
+        report({"difference"}, "/difference is " + shown(*given), R"("b-a" or "a-b")");
+      log_.a_is_x = *given != "a-b";
     }
-    if (const json* told = member(value, "scalar")) {
+    if (const json* given = member(value, "scalar")) {
       const std::optional<ScalarKind> kind =
-          told->is_string() ? value_of<ScalarKind>(told->get<std::string>()) : std::nullopt;
+          given->is_string() ? value_of<ScalarKind>(given->get<std::string>()) : std::nullopt;
       if (!kind || *kind == ScalarKind::exact)
-        report({"scalar"}, "/scalar is " + shown(*told), R"("double", "float" or "half")");
+        report({"scalar"}, "/scalar is " + shown(*given), R"("double", "float" or "half")");
       log_.scalar = kind.value_or(ScalarKind::double_);
     }
-    if (const json* told = member(value, "tolerance")) {
-      log_.tolerance = number_in(*told).value_or(-1);
+    if (const json* given = member(value, "tolerance")) {
+      log_.tolerance = number_in(*given).value_or(-1);
       if (!(0 <= log_.tolerance && log_.tolerance < 1))
-        report({"tolerance"}, "/tolerance is " + shown(*told), "a number from 0 to below 1");
+        report({"tolerance"}, "/tolerance is " + shown(*given), "a number from 0 to below 1");
     }
     read_dimension(value);
     if (!problems_.empty()) return;
@@ -164,11 +164,11 @@ class Reader {
 
   /// Takes the dimension from its key or, without one, from the first point.
   void read_dimension(const json& value) {
-    if (const json* told = member(value, "dimension")) {
-      if (*told != 2 && *told != 3)
-        report({"dimension"}, "/dimension is " + shown(*told), "2, the plane, or 3, space");
+    if (const json* given = member(value, "dimension")) {
+      if (*given != 2 && *given != 3)
+        report({"dimension"}, "/dimension is " + shown(*given), "2, the plane, or 3, space");
       else
-        log_.dimension = told->get<int>();
+        log_.dimension = given->get<int>();
       return;
     }
     const json* a = member(value, "a");
@@ -250,17 +250,17 @@ class Reader {
     out.line = number_;
     for (const auto& [key, list] :
          {std::pair{"simplex", &out.simplex}, std::pair{"kept", &out.kept}}) {
-      if (const json* told = member(value, key))
-        *list = read_list(*told, {key}, [this](const json& pair, const JsonPath& at) {
+      if (const json* given = member(value, key))
+        *list = read_list(*given, {key}, [this](const json& pair, const JsonPath& at) {
           return read_pair(pair, at);
         });
     }
     for (const auto& [key, list] :
          {std::pair{"points", &out.points}, std::pair{"kept_points", &out.kept_points}}) {
-      if (const json* told = member(value, key)) *list = read_points(*told, {key});
+      if (const json* given = member(value, key)) *list = read_points(*given, {key});
     }
-    if (const json* told = member(value, "weights"))
-      out.weights = read_list(*told, {"weights"}, [this](const json& weight, const JsonPath& at) {
+    if (const json* given = member(value, "weights"))
+      out.weights = read_list(*given, {"weights"}, [this](const json& weight, const JsonPath& at) {
         const std::optional<double> number = number_in(weight);
         if (!number)
           report(at, fmt::format("/{} is {}", fmt::join(at, "/"), shown(weight)), "a number");
@@ -269,9 +269,9 @@ class Reader {
     for (const auto& [key, point] :
          {std::pair{"closest", &out.closest}, std::pair{"direction", &out.direction},
           std::pair{"support_point", &out.support_point}}) {
-      if (const json* told = member(value, key)) *point = read_point(*told, {key});
+      if (const json* given = member(value, key)) *point = read_point(*given, {key});
     }
-    if (const json* told = member(value, "support")) out.support = read_pair(*told, {"support"});
+    if (const json* given = member(value, "support")) out.support = read_pair(*given, {"support"});
     if (!problems_.empty()) return;
     check_count("points", out.points.size(), "simplex", out.simplex.size());
     check_count("kept_points", out.kept_points.size(), "kept", out.kept.size());
@@ -290,25 +290,25 @@ class Reader {
 
   void read_answer(const json& value) {
     check_keys(value, {}, {"answer"});
-    const json& told = value["answer"];
-    if (!told.is_object()) {
-      report({"answer"}, "/answer is " + shown(told),
+    const json& given = value["answer"];
+    if (!given.is_object()) {
+      report({"answer"}, "/answer is " + shown(given),
              R"({"distance":..., "overlap":true or false})");
       return;
     }
-    check_keys(told, {"answer"}, kAnswerKeys);
+    check_keys(given, {"answer"}, kAnswerKeys);
     Answer out;
     out.line = number_;
     for (const auto& [key, number] :
          {std::pair{"distance", &out.distance}, std::pair{"depth", &out.depth}}) {
-      const json* value_told = member(told, key);
-      if (value_told == nullptr) continue;
-      *number = number_in(*value_told);
+      const json* number_given = member(given, key);
+      if (number_given == nullptr) continue;
+      *number = number_in(*number_given);
       if (!*number)
-        report({"answer", key}, fmt::format("/answer/{} is {}", key, shown(*value_told)),
+        report({"answer", key}, fmt::format("/answer/{} is {}", key, shown(*number_given)),
                "a number");
     }
-    if (const json* overlap = member(told, "overlap")) {
+    if (const json* overlap = member(given, "overlap")) {
       if (overlap->is_boolean())
         out.overlap = overlap->get<bool>();
       else
@@ -316,9 +316,9 @@ class Reader {
     }
     for (const auto& [key, point] : {std::pair{"a", log_.a_is_x ? &out.x : &out.y},
                                      std::pair{"b", log_.a_is_x ? &out.y : &out.x}}) {
-      if (const json* at = member(told, key)) *point = read_point(*at, {"answer", key});
+      if (const json* at = member(given, key)) *point = read_point(*at, {"answer", key});
     }
-    if (const json* by = member(told, "translation")) {
+    if (const json* by = member(given, "translation")) {
       out.translation = read_point(*by, {"answer", "translation"});
       if (out.translation && !log_.a_is_x) *out.translation = -*out.translation;
     }

@@ -182,8 +182,8 @@ class CaseReader {
       out.name = name->get<std::string>();
     }
     read_notes(value, out.notes);
-    const auto told = value.find("dimension");
-    const json dimension = told == value.end() ? json(2) : *told;
+    const auto found = value.find("dimension");
+    const json dimension = found == value.end() ? json(2) : *found;
     const bool has_outlines = value.contains("outlines_a") || value.contains("outlines_b");
     if (outlines_ && has_outlines && dimension == 2) {
       read_models(value, at, out);
@@ -451,7 +451,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 /// "4 vertices", or "1 outline and 1 hole of 9 vertices"; `short_form`: "4".
-std::string told(const PastedShape& shape, bool as_outlines, bool short_form) {
+std::string description(const PastedShape& shape, bool as_outlines, bool short_form) {
   std::string vertices = short_form ? fmt::format("{}", shape.points.size())
                                     : counted(shape.points.size(), "vertex", "vertices");
   if (!as_outlines) return vertices;
@@ -514,7 +514,8 @@ ReadCase case_of(const Pasted& pasted, std::string name, int most_dimension,
   if (pasted.shapes.size() < 2) {
     out.has_one_shape = true;
     report(pasted.shapes[0], pasted.end,
-           "there is one shape, of " + told(pasted.shapes[0], false, false), "a second one, Y");
+           "there is one shape, of " + description(pasted.shapes[0], false, false),
+           "a second one, Y");
     return out;
   }
   const std::array<const PastedShape*, 2> shapes = {&pasted.shapes[0], &pasted.shapes[1]};
@@ -559,9 +560,9 @@ ReadCase case_of(const Pasted& pasted, std::string name, int most_dimension,
   }
   if (!out.problems.empty()) return out;
   const std::array<bool, 2> as_outlines = {dented[0] && in_plane, dented[1] && in_plane};
-  out.understood = fmt::format("X has {}, Y {}, in {}", told(*shapes[0], as_outlines[0], false),
-                               told(*shapes[1], as_outlines[1], !as_outlines[0]),
-                               in_plane ? "the plane" : "space");
+  out.understood = fmt::format(
+      "X has {}, Y {}, in {}", description(*shapes[0], as_outlines[0], false),
+      description(*shapes[1], as_outlines[1], !as_outlines[0]), in_plane ? "the plane" : "space");
   if (!out.outlines && (dented[0] || dented[1])) {
     out.understood += fmt::format("; the hull of {} counts", dented[0] && dented[1] ? "both"
                                                              : dented[0]            ? "X"

@@ -161,7 +161,7 @@ struct Lesson {
   int dimension = 2;                   ///< 2 or 3.
   std::vector<LessonShape> bodies{2};  ///< GJK asks about the first two: X and Y.
   ScalarKind scalar = ScalarKind::double_;
-  /// Start at the first vertices, unless told otherwise.
+  /// Start at the first vertices, unless something else is asked for.
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 

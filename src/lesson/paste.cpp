@@ -251,17 +251,17 @@ Vertices read_off(string_view text, std::vector<std::string>& left_out) {
     if (fields.empty() && !lines.next(fields))
       throw Stop{header, "OFF ends here", "numbers of vertices, faces and edges"};
     const double count = LineReader::number(fields.front());
-    const std::size_t told = fields.front().second;
+    const std::size_t place = fields.front().second;
     std::vector<PointAt>& points = shapes.emplace_back();
     while (static_cast<double>(points.size()) < count) {
       if (!lines.next(fields) || is_among(fields.front().first, kOff)) {
-        throw Stop{told, fmt::format("OFF has {} vertices", points.size()),
+        throw Stop{place, fmt::format("OFF has {} vertices", points.size()),
                    fmt::format("{} vertices, as it says here", count)};
       }
       points.push_back(LineReader::point(fields, 0, plain ? 0 : 7));
       if (fields.size() > 3 && left_out.empty()) left_out.emplace_back("colours or normals");
     }
-    if (points.empty()) throw Stop{told, "OFF has no vertices", "at least one"};
+    if (points.empty()) throw Stop{place, "OFF has no vertices", "at least one"};
   }
   return shapes;
 }

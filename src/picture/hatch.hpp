@@ -1,5 +1,5 @@
 #pragma once
-// Areas told by parallel lines: what has a meaning must not hang on a pale colour alone.
+// Areas shown by parallel lines: what has a meaning must not hang on a pale colour alone.
 
 #include <vector>
 

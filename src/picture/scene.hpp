@@ -160,7 +160,7 @@ struct SceneBuilder {
   // Marks; all but areas are obstacles for labels, too
   void add(std::string role, decltype(Mark::shape) shape, const Subject& subject = {});
   void area(std::string role, const std::vector<Point>& points, const Subject& subject = {});
-  /// An area told by lines alone, for which no colour is needed.
+  /// An area shown by lines alone, for which no colour is needed.
   void hatched(const std::string& role, const std::vector<Point>& points);
   void line(std::string role, const Point& a, const Point& b, const Subject& subject = {});
   /// In space lines and disks are painted at their depth; `hidden`: the role of what lies behind

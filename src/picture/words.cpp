@@ -287,7 +287,7 @@ std::string stop_test(const LessonRun& run, const Frame& frame) {
     case gjk::StopReason::not_nearer:
       return "P no closer";
     case gjk::StopReason::no_progress:
-      return "V no farther";
+      return "V not in S, no farther";
     case gjk::StopReason::origin_inside:
       return query_name(run) + " inside S";
     case gjk::StopReason::zero_direction:
@@ -298,7 +298,7 @@ std::string stop_test(const LessonRun& run, const Frame& frame) {
 }
 
 std::vector<std::string> stop_tests(const LessonRun& run) {
-  return {"V in S", "V no farther", "P no closer", query_name(run) + " inside S", "d = 0"};
+  return {"V in S", "V not in S, no farther", "P no closer", query_name(run) + " inside S", "d = 0"};
 }
 
 std::string query_name(const LessonRun& run) {

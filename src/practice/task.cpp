@@ -173,7 +173,7 @@ constexpr std::array kKinds = {
 };
 
 /// The phase whose step tells what a kind asks for.
-Phase told_in(const Kind& kind) {
+Phase answering_phase(const Kind& kind) {
   if (kind.ask == kStop) return Phase::stop;
   if (kind.ask == kSupport) return Phase::support;
   return kind.ask == kDropped ? Phase::drop : Phase::closest;
@@ -195,7 +195,7 @@ Lesson frame_of(const Kind& kind) {
           ? 3
           : 2;
   lesson.act = kind.act;
-  if (kind.act == "phase" && kind.on_paper != OnPaper::run) lesson.until = told_in(kind);
+  if (kind.act == "phase" && kind.on_paper != OnPaper::run) lesson.until = answering_phase(kind);
   LessonView view{.kind = kind.view, .title = {}, .camera = {}};
   if (lesson.dimension == 3) {
     view.eye = Eye{.azimuth = 24.0, .elevation = 24.0};
@@ -436,7 +436,7 @@ std::string on_paper(std::string caption) {
   return capitalized(caption.substr(caption.starts_with(kBefore) ? kBefore.size() : 0));
 }
 
-Task told(const Kind& kind, const LessonRun& run) {
+Task task_of(const Kind& kind, const LessonRun& run) {
   const Asked asked = *asked_in(run.frames);
   EffectGraph effects(run);
   const std::vector<FrameText> texts = lesson_texts(run, effects);
@@ -470,14 +470,13 @@ Task told(const Kind& kind, const LessonRun& run) {
     task.telling = answering_index(run);
     task.choices.clear();
     task.answer = answer_of_run(run);
-    const auto told = static_cast<std::size_t>(task.telling);
-    const FrameText& last = texts[told - 1];
-    task.reason = last.question ? last.question->reason : texts[told].caption;
+    const auto telling = static_cast<std::size_t>(task.telling);
+    const FrameText& last = texts[telling - 1];
+    task.reason = last.question ? last.question->reason : texts[telling].caption;
   } else if (kind.ask == kNextEdge) {
     task.question = task.lesson.prose + " Which edge comes next?";
   } else if (kind.ask == kStop) {
-    task.asking = 0;                           // Later frames show whether P = Q.
-    std::erase(task.choices, "V no farther");  // which holds, too, wherever V is in S
+    task.asking = 0;  // Later frames show whether P = Q.
   } else if (!asking.question->pair.empty()) {
     task.choices.clear();
   }
@@ -532,7 +531,7 @@ Task make_task(const Kind& kind, std::uint64_t seed) {
     if (found.empty() || !kind.wanted(run, found.front())) continue;
     if (kind.ask != kRegion && has_choices(kind, run)) continue;
     if (!is_far_from_ties(kind, trial, found)) continue;
-    return told(kind, run_lesson(lesson));
+    return task_of(kind, run_lesson(lesson));
   }
   throw std::runtime_error(
       fmt::format("no shapes for '{}' are found from the seed {}", kind.name, seed));

@@ -577,7 +577,7 @@ bool Session::go_to_next(std::string_view phase) {
     const int i = (index_ + k) % frame_count();
     const Frame& frame = run().frames[i];
     if (frame.question >= 0 || run().info(frame).phase != phase) continue;
-    go_to(i > index_ ? std::min(i, last_told()) : i);
+    go_to(i > index_ ? std::min(i, last_open()) : i);
     return true;
   }
   return false;
@@ -670,17 +670,17 @@ const Answer* Session::given(int index) const {
   return found == answers_.end() ? nullptr : &*found;
 }
 
-int Session::first_told() const {
+int Session::first_shown() const {
   int first = index_;
   if (text().question) return first;
   while (first > 0 && texts()[static_cast<std::size_t>(first) - 1].question) --first;
   return first;
 }
 
-FrameText Session::told() const {
+FrameText Session::shown_text() const {
   FrameText text = this->text();
   const bool asks = text.question.has_value();
-  const int first = first_told();
+  const int first = first_shown();
   std::string verdicts;
   int count = 0;
   bool all_right = true;
@@ -703,7 +703,7 @@ FrameText Session::told() const {
   return text;
 }
 
-int Session::last_told() const {
+int Session::last_open() const {
   int at = index_;
   while (at + 1 < frame_count() && !(texts()[at].question && !given(at))) ++at;
   return at;
@@ -754,8 +754,8 @@ void Session::set_page(const Page& page) {
 
 const Picture& Session::picture() {
   if (picture_) return *picture_;
-  picture_ = shown_->pictures.picture(index_, told(), pointed_);
-  for (int i = first_told(); i <= index_; ++i) {
+  picture_ = shown_->pictures.picture(index_, shown_text(), pointed_);
+  for (int i = first_shown(); i <= index_; ++i) {
     const Answer* answer = given(i);
     if (answer != nullptr) {
       add_verdict(*picture_, run(), views(), *texts()[i].question, *answer);

@@ -133,7 +133,7 @@ class Session {
 
   // The history from outside: it outlives the session where one keeps the lessons.
 
-  /// A lesson of the history, told from all others by a number, and the change that separates it
+  /// A lesson of the history, distinguished from all others by a number, and the change that separates it
   /// from the one that is shown, or from its neighbour on that side.
   struct Kept {
     long id = 0;
@@ -192,9 +192,9 @@ class Session {
   [[nodiscard]] const Answer* given(int index) const;
   /// The words of this frame, with the verdict on answers to its question, or to those that it
   /// tells.
-  [[nodiscard]] FrameText told() const;
-  /// The last frame that may be told: what comes after an open question would answer it.
-  [[nodiscard]] int last_told() const;
+  [[nodiscard]] FrameText shown_text() const;
+  /// The last frame that may be shown: what comes after an open question would answer it.
+  [[nodiscard]] int last_open() const;
   [[nodiscard]] const std::vector<Answer>& answers() const { return answers_; }
   [[nodiscard]] int right_answers() const;
   /// Right ones, and all, of the lesson that is open.
@@ -257,7 +257,7 @@ class Session {
   };
 
   /// The first of the frames whose questions this one answers; without one, this frame.
-  [[nodiscard]] int first_told() const;
+  [[nodiscard]] int first_shown() const;
   /// False when no question is open.
   bool take(const std::string& choice, const std::optional<Eigen::Vector2d>& pointed = {});
   /// The lesson that was there; nothing, and all stays as it was, when this one cannot be shown.

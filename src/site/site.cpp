@@ -122,9 +122,9 @@ std::string link(const std::string& href, const std::string& text, std::string_v
 
 /// The steps of a lesson as items of a list, and the most characters that one says.
 std::pair<std::string, std::string> transcript(const Lesson& lesson) {
-  Lesson told = lesson;
-  told.questions.clear();
-  const LessonRun run = run_lesson(std::move(told));
+  Lesson unasked = lesson;
+  unasked.questions.clear();
+  const LessonRun run = run_lesson(std::move(unasked));
   EffectGraph effects(run);
   std::string items;
   int longest = 0;
@@ -614,9 +614,9 @@ class SiteWriter {
 
   /// The last frame without its words, which are too small to read there, and what it is about.
   [[nodiscard]] std::string card(const Lesson& lesson) {
-    Lesson told = lesson;
-    told.questions.clear();
-    const LessonRun run = run_lesson(std::move(told));
+    Lesson unasked = lesson;
+    unasked.questions.clear();
+    const LessonRun run = run_lesson(std::move(unasked));
     EffectGraph effects(run);
     LessonPictures pictures(run, effects, fonts_, {640.0, 360.0, 1.0, true});
     Picture picture = pictures.picture(answering_index(run));

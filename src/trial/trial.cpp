@@ -133,12 +133,12 @@ bool points_fit(const json& answer, const Asked<D>& one, double limit, double un
 /// Whether `depth` and `translation` are right, if the answer has them.
 template <int D>
 bool depth_fits(const json& answer, const Asked<D>& one, double limit, double unit) {
-  const auto told = [&](const char* key) {
+  const auto given = [&](const char* key) {
     const auto found = answer.find(key);
     return found == answer.end() || found->is_null() ? nullptr : &*found;
   };
-  const json* depth = told("depth");
-  const json* translation = told("translation");
+  const json* depth = given("depth");
+  const json* translation = given("translation");
   if (depth == nullptr && translation == nullptr) return true;
   const double rounding = 16 * (unit * one.scale + smallest_of(unit));
   std::optional<double> number;
@@ -179,13 +179,13 @@ Fault fault_of(const Reply& reply, const Asked<D>& one, bool in_float, double* w
   json answer = parsed(reply.line);
   if (answer.is_number()) answer = json{{"distance", answer}};
   if (!answer.is_object()) return Fault::nonsense;
-  const auto told = answer.find("distance");
+  const auto given = answer.find("distance");
   const auto overlap = answer.find("overlap");
   const bool tells_overlap = overlap != answer.end() && overlap->is_boolean();
-  const bool tells_distance = told != answer.end() && !told->is_null();
+  const bool tells_distance = given != answer.end() && !given->is_null();
   if (!tells_distance && !tells_overlap) {
     if (answer.contains("error")) return Fault::gave_up;
-    return told != answer.end() ? Fault::not_finite : Fault::nonsense;
+    return given != answer.end() ? Fault::not_finite : Fault::nonsense;
   }
   const double unit = in_float ? kFloatUnit : kDoubleUnit;
   const double limit = in_float ? kFloatLimit : kDoubleLimit;
@@ -197,7 +197,7 @@ Fault fault_of(const Reply& reply, const Asked<D>& one, bool in_float, double* w
   }
   const Fault of_depth = depth_fits(answer, one, limit, unit) ? Fault::none : Fault::depth;
   if (!tells_distance) return of_depth;
-  const std::optional<double> number = number_in(*told);
+  const std::optional<double> number = number_in(*given);
   if (!number) return Fault::nonsense;
   const double distance = *number;
   if (!std::isfinite(distance)) return Fault::not_finite;
@@ -343,15 +343,15 @@ FamilyTrial trial_of(Family family, const TrialOptions& options, std::string& la
   const Asked<D> reduced = Reduction<D>(options, cases[*smallest], of_smallest).reduced();
   Patience quiet = options.patience;
   quiet.is_loud = false;
-  FailingCase& told = out.smallest.emplace();
-  told.fault = of_smallest;
-  told.text = text_of(reduced.pair);
-  told.distance = reduced.distance;
+  FailingCase& failing = out.smallest.emplace();
+  failing.fault = of_smallest;
+  failing.text = text_of(reduced.pair);
+  failing.distance = reduced.distance;
   if (of_smallest == Fault::depth && reduced.overlap)
-    told.depth = depth::penetration<double>(reduced.pair.query()).depth;
-  told.answer = of_smallest == Fault::silent
-                    ? "silence"
-                    : ask(options.command, {told.text}, quiet).front().line;
+    failing.depth = depth::penetration<double>(reduced.pair.query()).depth;
+  failing.answer = of_smallest == Fault::silent
+                       ? "silence"
+                       : ask(options.command, {failing.text}, quiet).front().line;
   return out;
 }
 

@@ -251,10 +251,10 @@ namespace {
 /// A text in pieces: words, and terms with their sentences, each where it comes first.
 Json in_pieces(const std::string& text, const std::vector<CourseTerm>& terms) {
   Json pieces = Json::array();
-  std::set<const CourseTerm*> told;
+  std::set<const CourseTerm*> explained;
   std::size_t at = 0;
   for (const FoundTerm& found : find_terms(text, terms)) {
-    if (!told.insert(found.term).second) continue;
+    if (!explained.insert(found.term).second) continue;
     if (found.begin > at) pieces.push_back(text.substr(at, found.begin - at));
     pieces.push_back(
         Json::array({text.substr(found.begin, found.end - found.begin), found.term->sentence}));

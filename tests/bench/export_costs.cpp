@@ -66,12 +66,12 @@ Measured in_process(const std::function<double()>& work) {
   }
   ::close(ends[1]);
   Measured out;
-  const bool told = ::read(ends[0], &out.seconds, sizeof out.seconds) == sizeof out.seconds;
+  const bool was_read = ::read(ends[0], &out.seconds, sizeof out.seconds) == sizeof out.seconds;
   ::close(ends[0]);
   rusage usage = {};
   int status = 0;
   ::wait4(child, &status, 0, &usage);
-  if (!told || status != 0) throw std::runtime_error("a measured process failed");
+  if (!was_read || status != 0) throw std::runtime_error("a measured process failed");
   for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
     out.processor += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   }
@@ -130,8 +130,8 @@ class Bench {
         (folder_ / "plain.svg").string(), (folder_ / "plain.png").string(), kMatplotlibFrames);
     std::FILE* const pipe = ::popen(command.c_str(), "r");
     double seconds = 0.0;
-    const bool told = pipe && std::fscanf(pipe, "%lf", &seconds) == 1;
-    if (!pipe || ::pclose(pipe) != 0 || !told) return std::nullopt;
+    const bool was_read = pipe && std::fscanf(pipe, "%lf", &seconds) == 1;
+    if (!pipe || ::pclose(pipe) != 0 || !was_read) return std::nullopt;
     return seconds;
   }
 

@@ -113,12 +113,12 @@ void measure(const Fonts& fonts, const Lesson& lesson, const std::string& wanted
   session.open(lesson, {});
   const double opened = milliseconds_of([&] {
     const std::vector<ReadCase> read = parse_cases(text, kind);
-    Lesson told = edit::with_shapes(session.lesson(), *read.front().value);
+    Lesson lesson = edit::with_shapes(session.lesson(), *read.front().value);
     // Beyond what a lesson file may hold there are cases alone.
     if (of_x > limits::kVertices)
-      session.open(std::move(told), {});
+      session.open(std::move(lesson), {});
     else
-      session.edit("case", std::move(told));
+      session.edit("case", std::move(lesson));
     session.fit();
     (void)session.picture();
   });

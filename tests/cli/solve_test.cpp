@@ -186,17 +186,17 @@ TEST(Solve, ReportedHardCasesHaveRightAnswers) {
   for (const auto& entry :
        std::filesystem::directory_iterator(GJKSCOPE_SOURCE_DIR "/tests/hard-cases")) {
     const std::string text = test::read_file(entry.path().string());
-    const json told = json::parse(text);
+    const json given = json::parse(text);
     SCOPED_TRACE(entry.path().filename().string());
     for (const ScalarKind scalar : {ScalarKind::double_, ScalarKind::exact}) {
       const json answer = solve(text, scalar).answers[0];
-      EXPECT_EQ(told["expected_overlap"], answer["overlap"]);
+      EXPECT_EQ(given["expected_overlap"], answer["overlap"]);
       EXPECT_NE("undecided", answer["verdict"]);
-      EXPECT_DOUBLE_EQ(told["expected_distance"].get<double>(), answer["distance"].get<double>());
-      EXPECT_LE(answer["lower"], told["expected_distance"]);
-      EXPECT_GE(answer["upper"], told["expected_distance"]);
+      EXPECT_DOUBLE_EQ(given["expected_distance"].get<double>(), answer["distance"].get<double>());
+      EXPECT_LE(answer["lower"], given["expected_distance"]);
+      EXPECT_GE(answer["upper"], given["expected_distance"]);
     }
-    ++(told["expected_overlap"].get<bool>() ? overlapping : apart);
+    ++(given["expected_overlap"].get<bool>() ? overlapping : apart);
   }
   EXPECT_GE(overlapping, 5);
   EXPECT_GE(apart, 5);

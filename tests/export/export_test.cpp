@@ -464,10 +464,10 @@ TEST_F(Export, BelowStagesStandsACaptionWhereItIsAskedFor) {
   const std::string bare = written(CaptionPlace::none);
   EXPECT_EQ(bare.find("data-mark=\"caption\""), std::string::npos);
   EXPECT_NE(bare.find("height=\"719\" rx=\"9.5\""), std::string::npos) << "from edge to edge";
-  const std::string told = written(CaptionPlace::below);
-  EXPECT_NE(told.find("data-mark=\"caption\""), std::string::npos);
-  EXPECT_EQ(told.find("data-mark=\"title\""), std::string::npos);
-  EXPECT_EQ(told.find("height=\"719\" rx=\"9.5\""), std::string::npos) << "there is a strip";
+  const std::string text = written(CaptionPlace::below);
+  EXPECT_NE(text.find("data-mark=\"caption\""), std::string::npos);
+  EXPECT_EQ(text.find("data-mark=\"title\""), std::string::npos);
+  EXPECT_EQ(text.find("height=\"719\" rx=\"9.5\""), std::string::npos) << "there is a strip";
 }
 
 TEST(ContactSheet, WordsAreText) {

@@ -56,9 +56,9 @@ class Readers : public ::testing::Test {
 };
 
 TEST_F(Readers, Pngcheck) {
-  const std::string told = said("pngcheck -t " + exported(Format::png));
-  EXPECT_TRUE(has(told, "OK: ")) << told;
-  EXPECT_TRUE(has(told, "Made by gjkscope")) << told;
+  const std::string printed = said("pngcheck -t " + exported(Format::png));
+  EXPECT_TRUE(has(printed, "OK: ")) << printed;
+  EXPECT_TRUE(has(printed, "Made by gjkscope")) << printed;
 }
 
 TEST_F(Readers, RsvgConvert) {
@@ -70,9 +70,9 @@ TEST_F(Readers, RsvgConvert) {
 
 TEST_F(Readers, Poppler) {
   const std::string pdf = exported(Format::pdf);
-  const std::string told = said("pdfinfo " + pdf);
-  EXPECT_TRUE(has(told, fmt::format("Pages:           {}", frames_))) << told;
-  EXPECT_TRUE(has(told, "Tagged:          yes")) << told;
+  const std::string printed = said("pdfinfo " + pdf);
+  EXPECT_TRUE(has(printed, fmt::format("Pages:           {}", frames_))) << printed;
+  EXPECT_TRUE(has(printed, "Tagged:          yes")) << printed;
   const std::string structure = said("pdfinfo -struct " + pdf);
   EXPECT_EQ(std::count(structure.begin(), structure.end(), '\n'), frames_ + 1) << structure;
   EXPECT_TRUE(has(said("pdftotext -f 1 -l 1 " + pdf + " -"), "Point to segment: the algorithm"));
@@ -90,31 +90,31 @@ TEST_F(Readers, PopplerOnAHandout) {
 TEST_F(Readers, PopplerFindsABookmarkForEachStep) {
   for (const int a_page : {1, 4}) {
     const std::string pdf = exported(Format::pdf, a_page == 1 ? 0 : a_page);
-    const std::string told = said("pdftohtml -q -i -xml -stdout " + pdf);
+    const std::string printed = said("pdftohtml -q -i -xml -stdout " + pdf);
     for (int step = 1; step <= frames_; ++step) {
       const int page = (step - 1) / a_page + 1;
-      EXPECT_TRUE(has(told, fmt::format("<item page=\"{}\">{}. ", page, step))) << told;
+      EXPECT_TRUE(has(printed, fmt::format("<item page=\"{}\">{}. ", page, step))) << printed;
     }
   }
 }
 
 TEST_F(Readers, Gifsicle) {
-  const std::string told = said("gifsicle --info " + exported(Format::gif));
-  EXPECT_TRUE(has(told, "logical screen 640x360")) << told;
-  EXPECT_TRUE(has(told, "loop forever")) << told;
-  EXPECT_TRUE(has(told, "delay 0.40s")) << "the last is held\n" << told;
+  const std::string printed = said("gifsicle --info " + exported(Format::gif));
+  EXPECT_TRUE(has(printed, "logical screen 640x360")) << printed;
+  EXPECT_TRUE(has(printed, "loop forever")) << printed;
+  EXPECT_TRUE(has(printed, "delay 0.40s")) << "the last is held\n" << printed;
 }
 
 TEST_F(Readers, Ffprobe) {
   for (const Format format : {Format::apng, Format::mp4, Format::webm}) {
-    const std::string told = said(
+    const std::string printed = said(
         "ffprobe -v error -count_frames -show_entries "
         "stream=codec_name,width,height,nb_read_frames -of csv " +
         exported(format));
-    EXPECT_TRUE(has(told, "640,360")) << told;
+    EXPECT_TRUE(has(printed, "640,360")) << printed;
     // A fifth of a second each, at 25 images a second, and the last twice.
     if (format == Format::apng) continue;
-    EXPECT_TRUE(has(told, std::to_string(5 * (frames_ + 1)))) << told;
+    EXPECT_TRUE(has(printed, std::to_string(5 * (frames_ + 1)))) << printed;
   }
 }
 

@@ -19,16 +19,16 @@ inline void claim(bool holds, const std::string& what) {
 
 /// A problem says something about a place of the file, at most one character behind a line's end.
 inline void claim_located(const Problem& problem, std::string_view file) {
-  const std::string told = to_string(problem);
-  claim(!problem.what.empty(), "a problem says what is wrong: " + told);
-  claim(problem.line >= 1 && problem.column >= 1, "places count from 1: " + told);
+  const std::string text = to_string(problem);
+  claim(!problem.what.empty(), "a problem says what is wrong: " + text);
+  claim(problem.line >= 1 && problem.column >= 1, "places count from 1: " + text);
   for (int line = 1; line < problem.line; ++line) {
     const std::size_t end = file.find('\n');
-    claim(end != std::string_view::npos, "the file has the line of " + told);
+    claim(end != std::string_view::npos, "the file has the line of " + text);
     file.remove_prefix(end + 1);
   }
   const std::string_view line = file.substr(0, file.find('\n'));
-  claim(problem.column <= character_count(line) + 1, "the line has the column of " + told);
+  claim(problem.column <= character_count(line) + 1, "the line has the column of " + text);
 }
 
 }  // namespace gjkscope::fuzz

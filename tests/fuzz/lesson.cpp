@@ -1,4 +1,4 @@
-// Bytes as a lesson file. A lesson that loads is run, checked, told as text and JSON, and drawn.
+// Bytes as a lesson file. A lesson that loads is run, checked, written as text and JSON, and drawn.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -32,7 +32,7 @@ using Eigen::Vector2d;
 constexpr std::size_t kMostBytes = 4096;
 constexpr std::size_t kMostScanned = 5000;  ///< Vertices, in all iterations of all runs.
 constexpr std::size_t kMostGrown = 2000;    ///< Vertices of random polygons.
-constexpr std::size_t kMostTold = 200;      ///< Steps.
+constexpr std::size_t kMostSteps = 200;     ///< Steps.
 constexpr std::size_t kMostDrawn = 4;       ///< Frames.
 
 /// A file of this process: checking looks into it for places.
@@ -111,10 +111,10 @@ void claim_checked(const LessonRun& run, std::string_view text) {
 }
 
 /// Checks the output of `gjkscope trace`.
-void claim_told(const LessonRun& run) {
+void claim_trace_text(const LessonRun& run) {
   std::size_t steps = 0;
   for (const PositionedRun& positioned : run.runs) steps += positioned.trace.steps.size();
-  if (steps > kMostTold) return;
+  if (steps > kMostSteps) return;
   claim(!trace_text(traced(run)).empty(), "a trace can be told");
   claim(nlohmann::json::accept(trace_json(traced(run))), "a trace is JSON");
 }
@@ -170,7 +170,7 @@ void feed(std::string_view text) {
   const LessonRun run = run_lesson(*loaded.lesson);
   claim_sound(run);
   claim_checked(run, text);
-  claim_told(run);
+  claim_trace_text(run);
   claim_drawn(run);
 }
 

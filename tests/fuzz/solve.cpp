@@ -96,35 +96,35 @@ std::array<Quad, D> point_of(const json& list) {
 }
 
 void claim_answer_or_error(const json& answer) {
-  const std::string told = answer.dump();
+  const std::string text = answer.dump();
   claim(answer.at("case").is_string() && answer.at("scalar").is_string(),
-        "an answer names its case and scalar: " + told);
+        "an answer names its case and scalar: " + text);
   const bool error = answer.contains("error");
   for (const char* key : {"distance", "lower", "upper", "a", "b", "verdict", "overlap", "stop"}) {
     claim(answer.contains(key) != error,
-          "an answer has either an error or all of its keys: " + told);
+          "an answer has either an error or all of its keys: " + text);
   }
   if (error) return;
   for (const char* key : {"distance", "lower", "upper"}) {
-    claim(answer[key].is_number(), "numbers are finite: " + told);
+    claim(answer[key].is_number(), "numbers are finite: " + text);
   }
   for (const char* key : {"a", "b"}) {
-    for (const json& number : answer[key]) claim(number.is_number(), "points are finite: " + told);
+    for (const json& number : answer[key]) claim(number.is_number(), "points are finite: " + text);
   }
   const double distance = answer["distance"].get<double>();
   claim(0.0 <= answer["lower"].get<double>() && answer["lower"].get<double>() <= distance &&
             distance <= answer["upper"].get<double>(),
-        "0 <= lower <= distance <= upper: " + told);
+        "0 <= lower <= distance <= upper: " + text);
   const std::string verdict = answer["verdict"].get<std::string>();
   const bool overlap = answer["overlap"].get<bool>();
   claim(verdict == "undecided" || overlap == (verdict != "separated"),
-        "overlap and verdict agree: " + told);
+        "overlap and verdict agree: " + text);
 }
 
 /// `seen`: the case as the run in S saw it.
 template <class S, int D>
 void claim_true(const json& answer, const CaseIn<D>& seen) {
-  const std::string told = answer.dump() + " for " + written<D>(seen, false);
+  const std::string text = answer.dump() + " for " + written<D>(seen, false);
   const study::Truth<D> exact = study::truth_of<D>({seen.a, seen.b});
   using Real = typename gjk::ScalarTraits<S>::Real;
   if (answer.contains("error")) {
@@ -133,11 +133,11 @@ void claim_true(const json& answer, const CaseIn<D>& seen) {
     constexpr bool kIsNarrow =
         std::is_same_v<S, Eigen::half> || (D == 3 && std::is_same_v<S, float>);
     const bool tiny = kIsNarrow && error.starts_with("underflow");
-    claim(far ? error.starts_with("overflow") : tiny, "there is a reason to refuse: " + told);
+    claim(far ? error.starts_with("overflow") : tiny, "there is a reason to refuse: " + text);
     return;
   }
-  claim(answer["overlap"].get<bool>() == exact.overlap, "overlap is true: " + told);
-  claim(answer["stop"] != name_of(gjk::StopReason::iteration_cap), "no cap is reached: " + told);
+  claim(answer["overlap"].get<bool>() == exact.overlap, "overlap is true: " + text);
+  claim(answer["stop"] != name_of(gjk::StopReason::iteration_cap), "no cap is reached: " + text);
   study::Claim<D> claimed;
   claimed.verdict = value_of<gjk::Verdict>(answer["verdict"].get<std::string>()).value();
   claimed.has_bounds = true;
@@ -152,7 +152,7 @@ void claim_true(const json& answer, const CaseIn<D>& seen) {
       study::broken_bar(found, study::errors_of(found, exact, study::unit_of<Real>(exact)),
                         std::is_same_v<Real, double> ? study::kBars : study::kFloatBars);
   claim(broken.empty(),
-        "the answer is within bars, it breaks that of: " + std::string(broken) + ", " + told);
+        "the answer is within bars, it breaks that of: " + std::string(broken) + ", " + text);
 }
 
 template <class S, int D>

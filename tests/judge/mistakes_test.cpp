@@ -38,7 +38,7 @@ Log log_of(const std::string& text) {
   EXPECT_TRUE(read.log) << to_string(read.problems) << '\n' << text;
   return read.log.value_or(Log{});
 }
-std::string told(const Judgement& judgement) {
+std::string description(const Judgement& judgement) {
   std::string out = "right";
   if (judgement.wrong)
     out = fmt::format("{} of iteration {}: {}", name_of(judgement.wrong->part),
@@ -101,13 +101,13 @@ TEST(Mistakes, EachIsNamedWithItsStep) {
   for (const Blame& blame : kBlames) {
     const std::string text = mistakes::loop(blame.mistake).log_of(blame.x, blame.y);
     const Judgement judgement = judge(log_of(text));
-    SCOPED_TRACE(fmt::format("{}: {}\n{}", blame.mistake, told(judgement), text));
+    SCOPED_TRACE(fmt::format("{}: {}\n{}", blame.mistake, description(judgement), text));
     ASSERT_TRUE(judgement.wrong);
     EXPECT_EQ(blame.part, judgement.wrong->part);
     EXPECT_EQ(blame.iteration, judgement.wrong->iteration);
     EXPECT_NE(std::string::npos, judgement.wrong->what.find(blame.words));
     const Judgement unchanged = judge(log_of(mistakes::loop("none").log_of(blame.x, blame.y)));
-    EXPECT_TRUE(unchanged.right()) << told(unchanged);
+    EXPECT_TRUE(unchanged.right()) << description(unchanged);
   }
 }
 
@@ -127,7 +127,7 @@ TEST(Mistakes, NothingElseIsBlamedOnRandomPairs) {
       // With O on the simplex the textbook's loop itself goes on for ever.
       if (!judge(log_of(mistakes::loop("none").log_of(x, y))).right()) continue;
       const Judgement judgement = judge(log_of(mistakes::loop(blame.mistake).log_of(x, y)));
-      SCOPED_TRACE(fmt::format("{}, pair {}: {}", blame.mistake, i, told(judgement)));
+      SCOPED_TRACE(fmt::format("{}, pair {}: {}", blame.mistake, i, description(judgement)));
       EXPECT_TRUE(!judgement.answer || judgement.wrong);
       if (!judgement.wrong) continue;
       ++wrong;
@@ -159,7 +159,7 @@ TEST_P(NoFalseAlarm, TheTextbookIsRight) {
       most = std::max(most, judgement.rounding);
       continue;
     }
-    SCOPED_TRACE(fmt::format("pair {}: {}\n{}", i, told(judgement), text));
+    SCOPED_TRACE(fmt::format("pair {}: {}\n{}", i, description(judgement), text));
     if (family == Family::denormals && judgement.answer) continue;
     EXPECT_EQ("stop", name_of(judgement.wrong ? judgement.wrong->part : Part::answer));
     EXPECT_EQ(mistakes::kCap, judgement.iterations);
@@ -245,7 +245,7 @@ void expect_core_right(int count, int family_count, double most_units) {
     // Weights of denormal numbers may be 0 / 0: exact arithmetic settles the core's answer.
     EXPECT_TRUE(family == Family::denormals ? !judgement.answer : judgement.right())
         << "pair " << i << ", " << families::kFamilyNames[static_cast<std::size_t>(family)] << ": "
-        << told(judgement);
+        << description(judgement);
     EXPECT_LE(judgement.rounding, most_units) << i;
   }
 }

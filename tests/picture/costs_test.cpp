@@ -26,8 +26,8 @@ Lesson small_lesson() {
   return lesson;
 }
 
-struct Told {
-  explicit Told(Lesson lesson)
+struct RunTexts {
+  explicit RunTexts(Lesson lesson)
       : run(run_lesson(std::move(lesson))), effects(run), texts(lesson_texts(run, effects)) {}
   LessonRun run;
   EffectGraph effects;
@@ -39,30 +39,31 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 /// The frames that ask.
-std::vector<FrameText> asked(const Told& told) {
+std::vector<FrameText> asked(const RunTexts& shown) {
   std::vector<FrameText> out;
-  std::copy_if(told.texts.begin(), told.texts.end(), std::back_inserter(out),
+  std::copy_if(shown.texts.begin(), shown.texts.end(), std::back_inserter(out),
                [](const FrameText& text) { return text.question.has_value(); });
   return out;
 }
 
 TEST(CostFrames, SayWhatWasTimed) {
-  const Told told(small_lesson());
-  ASSERT_EQ(told.texts.size(), 1u + 2 + 1 + kClaims + 1);
-  const FrameText& times = told.texts[3];
+  const RunTexts shown(small_lesson());
+  ASSERT_EQ(shown.texts.size(), 1u + 2 + 1 + kClaims + 1);
+  const FrameText& times = shown.texts[3];
   EXPECT_EQ(times.phase, "time");
   EXPECT_TRUE(holds(times.caption, "all pairs take 9 ms, trees of boxes 5 µs")) << times.caption;
   EXPECT_TRUE(holds(times.detail, "takes 60 µs: from n = 30 on one distance repays it"))
       << times.detail;
   EXPECT_TRUE(holds(times.detail, "a processor")) << times.detail;
-  EXPECT_TRUE(holds(told.texts[4].caption, "It agrees.")) << told.texts[4].caption;
-  EXPECT_TRUE(holds(told.texts[7].caption, "not measured here.")) << told.texts[7].caption;
+  EXPECT_TRUE(holds(shown.texts[4].caption, "It agrees.")) << shown.texts[4].caption;
+  EXPECT_TRUE(holds(shown.texts[7].caption, "not measured here.")) << shown.texts[7].caption;
   Lesson other = small_lesson();
   LessonGrowth& swapped = other.table.edit<LessonGrowth>();
   std::swap(swapped.times->boxes, swapped.times->pairs);
-  EXPECT_TRUE(holds(Told(other).texts[4].caption, "It does not agree here."));
+  EXPECT_TRUE(holds(RunTexts(other).texts[4].caption, "It does not agree here."));
   other.table.edit<LessonGrowth>().times.reset();
-  EXPECT_EQ(Told(other).texts.size(), 1u + 2 + kClaims + 1) << "without times no frame is of them";
+  EXPECT_EQ(RunTexts(other).texts.size(), 1u + 2 + kClaims + 1)
+      << "without times no frame is of them";
 }
 
 TEST(CostFrames, TheShippedTimesBelongToTheSizes) {
@@ -74,10 +75,10 @@ TEST(CostFrames, TheShippedTimesBelongToTheSizes) {
 }
 
 TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
-  const Told told(testing::shipped_lesson("general-growth"));
-  const std::vector<FrameText> all = asked(told);
+  const RunTexts shown(testing::shipped_lesson("general-growth"));
+  const std::vector<FrameText> all = asked(shown);
   ASSERT_EQ(all.size(), 3u);
-  const GeneralGrowthTrace& trace = general_growth_trace(*told.run.algorithm_traces[0]);
+  const GeneralGrowthTrace& trace = general_growth_trace(*shown.run.algorithm_traces[0]);
   const auto& samples = trace.samples;
   const double ratio = samples[8].boxes / samples[7].boxes;
   ASSERT_LT(ratio, 1.5);
@@ -91,7 +92,7 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
   small.questions = {{"visits", 2}, {"agrees", 1}};
   LessonGrowth& swapped = small.table.edit<LessonGrowth>();
   std::swap(swapped.times->boxes, swapped.times->pairs);
-  const std::vector<FrameText> of_small = asked(Told(small));
+  const std::vector<FrameText> of_small = asked(RunTexts(small));
   ASSERT_EQ(of_small.size(), 2u);
   EXPECT_EQ(of_small[0].question->answer, "3.0 times, as n");
   EXPECT_EQ(of_small[1].question->answer, "no");
@@ -100,15 +101,15 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
 TEST(MethodFrames, AskWhatMemorySaves) {
   Lesson lesson = testing::shipped_lesson("methods-motion");
   lesson.questions = {{"front", {}}, {"memory", {}}};
-  const Told told(lesson);
-  const std::vector<FrameText> all = asked(told);
-  const std::size_t positions = told.run.runs.size();
+  const RunTexts shown(lesson);
+  const std::vector<FrameText> all = asked(shown);
+  const std::size_t positions = shown.run.runs.size();
   ASSERT_EQ(all.size(), positions);
   std::set<std::string> answers;
   long cold = 0;
   long warm = 0;
   for (std::size_t i = 0; i < positions; ++i) {
-    const MethodsTold& at = *methods_trace(told.run, static_cast<int>(i));
+    const MethodsTrace& at = *methods_trace(shown.run, static_cast<int>(i));
     cold += at.at(Method::gjk_cold);
     warm += at.at(Method::gjk_warm);
     if (i == 0) continue;

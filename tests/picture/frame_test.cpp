@@ -313,7 +313,7 @@ TEST(Timeline, WithAllQuestionsFillsItsWidthAndKeepsItsStart) {
 }
 
 TEST(Timeline, ManyGroupsAreNumbered) {
-  Lesson lesson = testing::told_lesson("hierarchy-circles");
+  Lesson lesson = testing::lesson_without_questions("hierarchy-circles");
   lesson.questions = {{"win", {}}};  // then each visit has a frame of its own
   const LessonRun run = run_lesson(lesson);
   const auto words = timeline_words(run, static_cast<int>(run.frames.size()) - 1);
@@ -322,7 +322,7 @@ TEST(Timeline, ManyGroupsAreNumbered) {
 }
 
 TEST(Timeline, NarrowGroupsHaveShortNames) {
-  const LessonRun run = run_lesson(testing::told_lesson("polygons-motion"));
+  const LessonRun run = run_lesson(testing::lesson_without_questions("polygons-motion"));
   const auto words = timeline_words(run, 0);
   EXPECT_EQ(words.front(), "vertex C – vertex K") << "the current one's is whole";
   const auto is_short = [](const std::string& word) {
@@ -341,12 +341,12 @@ TEST(Legend, StandsInThePanelWhileItsMarksAreThere) {
     const bool has_boxes = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
       return mark.role == "piece.box" && mark.clip >= 0;
     });
-    const bool is_told = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+    const bool is_shown = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
       const Text* text = std::get_if<Text>(&mark.shape);
       return text && text->text == "box around a piece";
     });
-    EXPECT_EQ(is_told, has_boxes) << frame.text.caption;
-    stands += is_told ? 1 : 0;
+    EXPECT_EQ(is_shown, has_boxes) << frame.text.caption;
+    stands += is_shown ? 1 : 0;
   }
   EXPECT_GT(stands, 1);
 }
@@ -427,7 +427,7 @@ TEST(Captions, TellTheRunOfThePentagon) {
 }
 
 std::vector<FramePicture> frames_of(const std::string& id) {
-  const LessonRun run = run_lesson(testing::told_lesson(id));
+  const LessonRun run = run_lesson(testing::lesson_without_questions(id));
   EffectGraph effects(run);
   return lesson_pictures(run, effects, fonts());
 }
@@ -738,13 +738,13 @@ TEST(Panel, TwoRunsAreColouredOnlyWhereTheyDiffer) {
 }
 
 TEST(Panel, TheMapsComeBeforeWhatTheySayOfQ) {
-  const auto told = [](int frame) {
+  const auto shown = [](int frame) {
     const std::vector<std::string> texts = texts_of_frame("triangle-two-maps", frame);
     return std::find(texts.begin(), texts.end(), "✗ not the same") != texts.end();
   };
-  EXPECT_FALSE(told(0));
-  EXPECT_FALSE(told(7));
-  EXPECT_TRUE(told(8));
+  EXPECT_FALSE(shown(0));
+  EXPECT_FALSE(shown(7));
+  EXPECT_TRUE(shown(8));
 }
 
 /// The names in a list with commas between them.
@@ -912,7 +912,7 @@ LessonRun two_runs_of_polygons() {
 TEST(TwoRuns, TellOfPWhereThePanelHasIt) {
   const LessonRun run = two_runs_of_polygons();
   EffectGraph effects(run);
-  int told = 0;
+  int shown = 0;
   for (const FramePicture& frame : lesson_pictures(run, effects, fonts())) {
     const std::string start = "In exact arithmetic P = (";
     const std::size_t at = frame.text.detail.find(start);
@@ -924,17 +924,17 @@ TEST(TwoRuns, TellOfPWhereThePanelHasIt) {
       return std::strtod(text.c_str(), nullptr);
     };
     const double x = number(rest.substr(0, rest.find(", ")));
-    constexpr double kAsTold = 0.002;  // the caption rounds to three decimals
+    constexpr double kRounding = 0.002;  // the caption rounds to three decimals
     const auto is_x = [&](const Mark& mark) {
       const Text* text = std::get_if<Text>(&mark.shape);
       const bool is_value = mark.role == "pass" || mark.role == "code";
-      return text && is_value && std::abs(number(text->text) - x) < kAsTold;
+      return text && is_value && std::abs(number(text->text) - x) < kRounding;
     };
     EXPECT_TRUE(std::any_of(frame.picture.marks.begin(), frame.picture.marks.end(), is_x))
         << frame.text.detail;
-    ++told;
+    ++shown;
   }
-  EXPECT_GT(told, 0);
+  EXPECT_GT(shown, 0);
 }
 
 TEST(TwoRuns, NumbersThatDifferAreWrittenApart) {

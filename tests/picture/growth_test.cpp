@@ -25,8 +25,8 @@ Lesson small_lesson() {
   return lesson;
 }
 
-struct Told {
-  explicit Told(Lesson lesson)
+struct RunTexts {
+  explicit RunTexts(Lesson lesson)
       : run(run_lesson(std::move(lesson))), effects(run), texts(lesson_texts(run, effects)) {}
   /// The text of a size, of the outcome, or of slow runs.
   [[nodiscard]] const FrameText& at(int detail) const {
@@ -46,10 +46,10 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 TEST(GrowthPicture, CaptionsOfSizesAreTheMeasuredNumbers) {
-  Told told(small_lesson());
+  RunTexts shown(small_lesson());
   for (int i = 0; i < 5; ++i) {
-    const Growth::Sample& sample = told.measured()[static_cast<std::size_t>(i)];
-    const FrameText& text = told.at(i);
+    const Growth::Sample& sample = shown.measured()[static_cast<std::size_t>(i)];
+    const FrameText& text = shown.at(i);
     SCOPED_TRACE(text.caption + " " + text.detail);
     EXPECT_TRUE(holds(text.caption, "n = " + grouped(sample.vertices) + ":"));
     EXPECT_TRUE(holds(text.caption, fixed(sample.iterations, 1) + " iterations on average"));
@@ -62,11 +62,11 @@ TEST(GrowthPicture, CaptionsOfSizesAreTheMeasuredNumbers) {
 }
 
 TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
-  Told told(small_lesson());
-  const FrameText& outcome = told.at(5);
+  RunTexts shown(small_lesson());
+  const FrameText& outcome = shown.at(5);
   EXPECT_EQ(outcome.position,
-            fmt::format("outcome · {} of {}", told.texts.size() - 1, told.texts.size()));
-  const Growth::Value& measured = told.measured();
+            fmt::format("outcome · {} of {}", shown.texts.size() - 1, shown.texts.size()));
+  const Growth::Value& measured = shown.measured();
   std::string last_kept;
   for (const Growth::Sample& sample : measured) {
     if (sample.iterations > Growth::kLarsenMost) break;
@@ -76,12 +76,12 @@ TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
 
   Lesson easy = small_lesson();
   easy.table.edit<LessonGrowth>().vertices = {3, 10};
-  EXPECT_TRUE(holds(Told(easy).at(2).caption, "no more than Larsen's 6 at any n"))
-      << Told(easy).at(2).caption;
+  EXPECT_TRUE(holds(RunTexts(easy).at(2).caption, "no more than Larsen's 6 at any n"))
+      << RunTexts(easy).at(2).caption;
   Lesson hard = small_lesson();
   hard.table.edit<LessonGrowth>().vertices = {1000, 3000};
-  EXPECT_TRUE(holds(Told(hard).at(2).caption, "more than Larsen's 3 to 6"))
-      << Told(hard).at(2).caption;
+  EXPECT_TRUE(holds(RunTexts(hard).at(2).caption, "more than Larsen's 3 to 6"))
+      << RunTexts(hard).at(2).caption;
 }
 
 TEST(GrowthPicture, PlotsShowWhatFramesHaveToldAndSetOffTheFramesOwn) {
@@ -98,30 +98,30 @@ TEST(GrowthPicture, PlotsShowWhatFramesHaveToldAndSetOffTheFramesOwn) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SCOPED_TRACE(i);
     const int detail = shown_size(run, run.frames[i]).value_or(-1);
-    const int told = std::min(detail + 1, 5);
-    EXPECT_EQ(count(frames[i], "plot.first"), 2 * (told + 1)) << "in two plots, and by the name";
+    const int shown = std::min(detail + 1, 5);
+    EXPECT_EQ(count(frames[i], "plot.first"), 2 * (shown + 1)) << "in two plots, and by the name";
     // Slow runs are a series of their own, of two sizes.
-    EXPECT_EQ(count(frames[i], "plot.fourth"), told + 1 + (detail == 6 ? 3 : 0));
+    EXPECT_EQ(count(frames[i], "plot.fourth"), shown + 1 + (detail == 6 ? 3 : 0));
     EXPECT_EQ(count(frames[i], "plot.first.label"), 2);
     EXPECT_EQ(count(frames[i], "plot.current"), detail >= 0 && detail < 5 ? 2 : 0);
   }
 }
 
 TEST(GrowthPicture, APolygonThatIsBuiltToBeSlowTakesAsManyIterationsAsVertices) {
-  Told told(small_lesson());
-  const SlowGrowth::Value& slow = told.effects.get<SlowGrowth>(told.run.frames.back());
+  RunTexts shown(small_lesson());
+  const SlowGrowth::Value& slow = shown.effects.get<SlowGrowth>(shown.run.frames.back());
   ASSERT_EQ(slow.size(), 2u);
   for (const SlowGrowth::Run& each : slow) EXPECT_EQ(each.iterations, each.vertices);
-  EXPECT_TRUE(holds(told.at(6).caption, "10 with 10 vertices")) << told.at(6).caption;
+  EXPECT_TRUE(holds(shown.at(6).caption, "10 with 10 vertices")) << shown.at(6).caption;
 }
 
 TEST(GrowthPicture, AsksHowIterationsGrowAtPlacesOfThePlot) {
   Lesson lesson = small_lesson();
   lesson.questions = {{"iterations", 2}};
-  const Told told(lesson);
-  const auto asks = std::find_if(told.texts.begin(), told.texts.end(),
+  const RunTexts shown(lesson);
+  const auto asks = std::find_if(shown.texts.begin(), shown.texts.end(),
                                  [](const FrameText& text) { return text.question.has_value(); });
-  ASSERT_NE(asks, told.texts.end());
+  ASSERT_NE(asks, shown.texts.end());
   EXPECT_EQ(asks->question->choices.size(), 3u);
   EXPECT_EQ(asks->question->subjects.size(), 3u);
   EXPECT_NE(asks->question->answer, "like n");

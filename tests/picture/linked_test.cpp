@@ -161,7 +161,7 @@ TEST(Linked, EveryCornerOfTheDifferenceIsNamedByItsPair) {
 }
 
 TEST(Linked, WarmStartsAreChartedBesideColdOnes) {
-  const LessonRun run = run_lesson(testing::told_lesson("polygons-motion"));
+  const LessonRun run = run_lesson(testing::lesson_without_questions("polygons-motion"));
   const auto frames = pictures_of(run);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     // One bar a position so far, and one in the key; the first run starts cold, too.
@@ -211,7 +211,8 @@ TEST(LinkedCaptions, SayWhatWasComputed) {
             "Both differences come from K, so y is K itself: (0.10, 1.00).");
   EXPECT_EQ(witness[2].text.caption,
             "The same weights on the vertices of X give x = 0.747 B + 0.253 C.");
-  const auto slide = pictures_of(run_lesson(testing::told_lesson("minkowski-translate")));
+  const auto slide =
+      pictures_of(run_lesson(testing::lesson_without_questions("minkowski-translate")));
   EXPECT_EQ(slide[1].text.caption,
             "The robot moved by (0.25, 1.50), so Z slides by (−0.25, −1.50), the opposite way.");
   EXPECT_EQ(slide[6].text.caption,

@@ -145,7 +145,7 @@ TEST(QuestionFrames, AnsweredByTheTestsBeforeTheSearch) {
   EXPECT_EQ(at_vertex.question.question->answer, "d = 0");
   EXPECT_EQ(at_vertex.answer.phase, "direction");
   EXPECT_EQ(last("stop-edge-right").question.question->answer, "P no closer");
-  EXPECT_EQ(last("collinear").question.question->answer, "V no farther");
+  EXPECT_EQ(last("collinear").question.question->answer, "V not in S, no farther");
 }
 
 TEST(QuestionFrames, OfPolygonsAskForBothVertices) {

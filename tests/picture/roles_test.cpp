@@ -81,7 +81,7 @@ Look look_of(const Mark& mark, const Theme& theme) {
 /// Sizes are told apart from this ratio on.
 constexpr double kRatio = 1.4;
 
-bool are_told_apart(const Look& a, const Look& b) {
+bool are_distinct(const Look& a, const Look& b) {
   if (a.shape != b.shape || a.hollow != b.hollow) return true;
   if (std::max(a.radius, b.radius) >= kRatio * std::min(a.radius, b.radius)) return true;
   for (const Eigen::Matrix3d& eye : eyes()) {
@@ -185,7 +185,7 @@ TEST(Roles, AreToldApartByEveryEye) {
           for (auto b = std::next(a); b != marks.end(); ++b) {
             for (const auto& [name, theme] : themes) {
               ++compared;
-              EXPECT_TRUE(are_told_apart(look_of(*a->second, theme), look_of(*b->second, theme)))
+              EXPECT_TRUE(are_distinct(look_of(*a->second, theme), look_of(*b->second, theme)))
                   << lesson.id << ", frame " << index << ", theme " << name << ": " << a->first
                   << " and " << b->first;
             }

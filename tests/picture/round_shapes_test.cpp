@@ -24,7 +24,7 @@ using Eigen::Vector2d;
 using Meeting = RoundShapes::Meeting;
 
 Lesson lesson_with_y_moved_by(const Vector2d& by) {
-  static const Lesson kShipped = testing::told_lesson("round-shapes");
+  static const Lesson kShipped = testing::lesson_without_questions("round-shapes");
   Lesson lesson = kShipped;
   lesson.path_of_shapes.reset();
   lesson.y().translate = in_space(by);

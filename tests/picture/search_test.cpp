@@ -27,7 +27,7 @@ const std::vector<std::string> kLessons = {"hierarchy-collide", "hierarchy-dista
                                            "hierarchy-circles", "hierarchy-large",
                                            "hierarchy-orders"};
 
-void expect_truth(const SearchTold& search) {
+void expect_truth(const TracedSearch& search) {
   const models::Answer truth = models::brute(search.x, search.y).answer;
   EXPECT_EQ(search.trace.result.answer.overlap, truth.overlap);
   if (search.options.goal != models::Goal::distance) return;
@@ -49,7 +49,7 @@ TEST(SearchFrames, AVertexThatIsMovedBuildsTheTreesAnew) {
     const LessonRun before = run_lesson(lesson);
     lesson.y().vertices[4] = {-2.0, 0.1, 0.0};
     const LessonRun after = run_lesson(lesson);
-    const SearchTold& search = *search_trace(after, 0);
+    const TracedSearch& search = *search_trace(after, 0);
     expect_truth(search);
     EXPECT_TRUE(search.trace.result.answer.overlap ||
                 search.trace.result.visits != search_trace(before, 0)->trace.result.visits);
@@ -102,7 +102,7 @@ TEST(SearchFrames, NodesAreAsTheirPairs) {
 TEST(SearchFrames, ANodeOfTheTreeIsLinkedToItsVolumeOnTheStage) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   const LessonRun run = run_lesson(testing::shipped_lesson("hierarchy-distance"));
-  const SearchTold& search = *search_trace(run, 0);
+  const TracedSearch& search = *search_trace(run, 0);
   EffectGraph effects(run);
   LessonPictures pictures(run, effects, fonts);
   const Picture picture = pictures.picture(3);
@@ -218,12 +218,12 @@ TEST(MethodsFrames, AllMethodsAgreeAndMemoryDoesNotHurt) {
   const LessonRun run = run_lesson(testing::shipped_lesson("methods-motion"));
   std::array<long, kMethods.size()> sums = {};
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
-    const MethodsTold& told = *methods_trace(run, i);
+    const MethodsTrace& trace = *methods_trace(run, i);
     const OutlinesOfRun outlines = outlines_of(run.lesson, run.runs[static_cast<std::size_t>(i)]);
     const double truth = models::brute(outlines.x, outlines.y).answer.distance;
     for (std::size_t m = 0; m < kMethods.size(); ++m) {
-      EXPECT_NEAR(told.distances[m], truth, 1e-14 * 8.0) << name_of(kMethods[m]);
-      sums[m] += told.steps[m];
+      EXPECT_NEAR(trace.distances[m], truth, 1e-14 * 8.0) << name_of(kMethods[m]);
+      sums[m] += trace.steps[m];
     }
   }
   const auto sum = [&](Method method) { return sums[static_cast<std::size_t>(method)]; };
@@ -238,9 +238,9 @@ TEST(MethodsFrames, AgreeWhereShapesPassThroughEachOther) {
   const LessonRun run = run_lesson(lesson);
   int overlaps = 0;
   for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
-    const MethodsTold& told = *methods_trace(run, i);
-    overlaps += told.answer.overlap ? 1 : 0;
-    for (const double distance : told.distances) EXPECT_NEAR(distance, told.distances[0], 1e-13);
+    const MethodsTrace& trace = *methods_trace(run, i);
+    overlaps += trace.answer.overlap ? 1 : 0;
+    for (const double distance : trace.distances) EXPECT_NEAR(distance, trace.distances[0], 1e-13);
   }
   EXPECT_GT(overlaps, 2);
   EXPECT_LT(overlaps, static_cast<int>(run.runs.size()));

@@ -103,7 +103,7 @@ TEST(StudyPicture, TheFrameOfAllShowsEveryDotAndTheWholeFront) {
 TEST(StudyPicture, FramesTellTimesAsTheyWereMeasured) {
   Shown shown;
   const std::vector<FrameText> texts = lesson_texts(shown.run, shown.effects);
-  int told = 0;
+  int count = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const Frame& frame = shown.run.frames[i];
     if (frame.question >= 0 || study_frame(shown.run, frame)->stage != StudyStage::mark) continue;
@@ -113,9 +113,9 @@ TEST(StudyPicture, FramesTellTimesAsTheyWereMeasured) {
         holds(texts[i].caption, dot.configuration + ": " + time_text(dot.ns) + " for a pair"));
     EXPECT_TRUE(holds(texts[i].caption, error_words(dot)));
     EXPECT_EQ(holds(texts[i].detail, "\"overlap or not\" wrong"), dot.wrong > 0);
-    ++told;
+    ++count;
   }
-  EXPECT_EQ(told, static_cast<int>(shown.study().marks.size()) - 2);
+  EXPECT_EQ(count, static_cast<int>(shown.study().marks.size()) - 2);
   for (const FrameText& text : texts) {
     EXPECT_FALSE(holds(text.caption + text.detail, "at most"));
     EXPECT_FALSE(holds(text.caption + text.detail, "Pareto"));

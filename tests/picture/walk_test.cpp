@@ -83,7 +83,7 @@ TEST(WalkFrames, AlongAPathEachWalkStartsWhereTheLastOneEnded) {
 
 TEST(WalkFrames, ALocalMinimumIsToldBesideTheTruth) {
   const LessonRun run = run_lesson(testing::shipped_lesson("local-minima"));
-  const WalkTold& walk = *walk_trace(run, 0);
+  const TracedWalk& walk = *walk_trace(run, 0);
   ASSERT_EQ(walk.trace.result.stop, models::WalkStop::local_minimum);
   ASSERT_TRUE(walk.truth);
   EXPECT_LT(walk.truth->distance, walk.trace.result.answer.distance);

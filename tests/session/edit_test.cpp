@@ -174,7 +174,7 @@ TEST(Edit, RandomPairsAreConvexKeepTheirSizeAndOverlapOrNot) {
 }
 
 TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
-  int told = 0;
+  int tried = 0;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     if (run.act->algorithm != &kGjkAlgorithm || !run.act->follows_run ||
@@ -189,9 +189,9 @@ TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
     const Lesson once = edit::with_second_run(twice, std::nullopt);
     EXPECT_TRUE(why_not_said(once).empty()) << to_string(why_not_said(once));
     EXPECT_FALSE(once.calls_for("second-run") || once.has_block("two-runs"));
-    ++told;
+    ++tried;
   }
-  EXPECT_GT(told, 10);
+  EXPECT_GT(tried, 10);
 }
 
 TEST(Edit, AnyLessonTakesABoxOrSaysWhatItNeeds) {
@@ -230,10 +230,10 @@ TEST(Edit, EveryLessonOfGjkCanBeToldByTheExpandingPolygonOrPolytope) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
     if (run_lesson(lesson).act->algorithm->takes_outlines) continue;
-    const Lesson told = edit::with_act(lesson, kDepthAlgorithm);
-    const LoadedLesson read = parse_lesson(lesson_toml(told), lesson.path, vocabulary());
+    const Lesson tried = edit::with_act(lesson, kDepthAlgorithm);
+    const LoadedLesson read = parse_lesson(lesson_toml(tried), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
-    const LessonRun run = run_lesson(told);
+    const LessonRun run = run_lesson(tried);
     EXPECT_EQ(run.algorithm_traces.size(), run.runs.size());
     EXPECT_FALSE(run.frames.empty());
   }

@@ -480,12 +480,13 @@ TEST(Session, WhoPointsAtAPlaceIsToldHowFarOffItWas) {
   ASSERT_TRUE(asked.place.has_value());
   session.grade(asked.answer, *asked.place + Eigen::Vector2d(0.3, 0.4));
   EXPECT_EQ(2, session.index());
-  const std::string told = session.told().caption;
-  EXPECT_TRUE(told.starts_with("Right: C. You pointed 0.500 away. x is the point")) << told;
+  const std::string caption = session.shown_text().caption;
+  EXPECT_TRUE(caption.starts_with("Right: C. You pointed 0.500 away. x is the point")) << caption;
   session.forget_answers();
   session.go_to(1);
   session.grade("A");
-  EXPECT_TRUE(session.told().caption.starts_with("Not so: C, not A. ")) << session.told().caption;
+  EXPECT_TRUE(session.shown_text().caption.starts_with("Not so: C, not A. "))
+      << session.shown_text().caption;
 }
 
 TEST(Session, HowFarAnAnswerIsOffIsDrawn) {
@@ -544,12 +545,13 @@ TEST(Session, AVerdictOnTheStopReadsAsASentence) {
     (is_no ? goes_on : stops) += 1;
     const std::string stop = "GJK stops, " + question->answer + ".";
     session.grade(is_no ? "d = 0" : "no");
-    const std::string told = session.told().caption;
-    EXPECT_NE(std::string::npos, told.find(is_no ? "No: GJK goes on." : "Yes: " + stop)) << told;
+    const std::string caption = session.shown_text().caption;
+    EXPECT_NE(std::string::npos, caption.find(is_no ? "No: GJK goes on." : "Yes: " + stop))
+        << caption;
     session.forget_answers();
     session.go_to(i);
     session.grade(is_no ? "no" : question->answer);
-    const std::string right = session.told().caption;
+    const std::string right = session.shown_text().caption;
     EXPECT_NE(std::string::npos, right.find(is_no ? "Right: GJK goes on." : "Right: " + stop))
         << right;
     session.forget_answers();
@@ -961,7 +963,7 @@ TEST(ManyVertices, TheOneThatTheHandComesNearIsNamed) {
   EXPECT_TRUE(has(name)) << "in each frame";
   session.point_at({});
   EXPECT_FALSE(has(name));
-  // A difference is told by its two vertices, too.
+  // A difference is chosen by its two vertices, too.
   session.point_at({{Kind::difference_vertex, 313, 500}});
   const Lesson& lesson = session.lesson();
   EXPECT_TRUE(has(lesson.x().vertex_names[313]));

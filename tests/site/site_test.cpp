@@ -1,4 +1,4 @@
-// Pages as files. What they do in a browser is told by tests/web.
+// Pages as files. tests/web tests what they do in a browser.
 #include "site/site.hpp"
 
 #include <fmt/format.h>

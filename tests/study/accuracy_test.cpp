@@ -215,7 +215,7 @@ TEST(Study, InterruptedAtOnceHasNothingToKeep) {
 
 TEST(Study, TellsHowFarItIs) {
   double last = 0.0;
-  std::set<std::string> told;
+  std::set<std::string> names;
   Plan plan = small_plan();
   plan.sizes = {2, 2, 4};
   const Study study = study_accuracy(plan, {[] { return true; },
@@ -223,10 +223,10 @@ TEST(Study, TellsHowFarItIs) {
                                               EXPECT_GE(share, last);
                                               EXPECT_LE(share, 1.0);
                                               last = share;
-                                              told.insert(what);
+                                              names.insert(what);
                                             }});
   EXPECT_GT(last, 0.95);
-  EXPECT_GE(static_cast<int>(told.size()), study.families_planned);
+  EXPECT_GE(static_cast<int>(names.size()), study.families_planned);
 }
 
 TEST(Front, IsThatOfEachFamily) {

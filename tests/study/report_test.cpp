@@ -75,7 +75,7 @@ TEST(Json, IsWhatLessonsRead) {
   EXPECT_EQ(timed, dots.size());
 }
 
-/// Two rows in which doing less costs more, told in every form.
+/// Two rows in which doing less costs more, shown in every form.
 Study with_costlier() {
   Study study = small_study();
   study.compared = 12;

@@ -22,7 +22,7 @@ using Eigen::Vector2d;
 using testing::shipped_lesson;
 
 /// The words of the frames that ask nothing.
-std::vector<FrameText> told(const LessonRun& run) {
+std::vector<FrameText> texts_in(const LessonRun& run) {
   std::vector<FrameText> texts = testing::texts_of(run);
   std::erase_if(texts, [](const FrameText& text) { return text.question.has_value(); });
   return texts;
@@ -64,7 +64,7 @@ TEST(Beginning, NeitherVerticesNorSamplesAreAsCloseAsTheClosestPoints) {
   }
   EXPECT_GT(of_samples, distance);
   EXPECT_GT(of_vertices, of_samples);
-  const std::vector<FrameText> texts = told(run);
+  const std::vector<FrameText> texts = texts_in(run);
   ASSERT_EQ(texts.size(), 4u);
   EXPECT_TRUE(says(texts[1], of_vertices)) << texts[1].caption;
   EXPECT_TRUE(says(texts[2], of_vertices - distance)) << texts[2].caption;
@@ -78,7 +78,7 @@ TEST(Beginning, TheWalkIsStuckOnTheOutlineAndFindsTheClosestPointOfTheHull) {
   double least = HUGE_VAL;
   for (std::size_t i = 0; i < y.size(); ++i)
     least = std::min(least, segment_distance(q, y[i], y[(i + 1) % y.size()]));
-  const std::vector<FrameText> texts = told(run);
+  const std::vector<FrameText> texts = texts_in(run);
   ASSERT_EQ(texts.size(), 6u);
   EXPECT_TRUE(says(texts[3], least)) << texts[3].caption;
   EXPECT_NE(texts[3].caption.find("stuck"), std::string::npos);

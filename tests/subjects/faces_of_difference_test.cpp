@@ -108,10 +108,10 @@ TEST(FacesOfDifference, OfTwoBoxesWithParallelSidesAreSixOfSeveralSources) {
 
 TEST(FacesOfDifference, OfTheLessonAreAllThreeKinds) {
   const LessonRun run = run_lesson(testing::shipped_lesson("faces-of-the-difference"));
-  const FacesTrace& told = faces_trace(*run.algorithm_traces[0]);
-  for (const Kind kind : {Kind::of_y, Kind::of_x, Kind::of_edges}) EXPECT_GT(told.count(kind), 2);
-  EXPECT_EQ(told.count(Kind::of_several), 0);
-  EXPECT_EQ(told.faces.size(), static_cast<std::size_t>(told.answer("faces")));
+  const FacesTrace& trace = faces_trace(*run.algorithm_traces[0]);
+  for (const Kind kind : {Kind::of_y, Kind::of_x, Kind::of_edges}) EXPECT_GT(trace.count(kind), 2);
+  EXPECT_EQ(trace.count(Kind::of_several), 0);
+  EXPECT_EQ(trace.faces.size(), static_cast<std::size_t>(trace.answer("faces")));
 }
 
 TEST(FacesOfDifference, HaveWordsAndPicturesForAnyShapes) {

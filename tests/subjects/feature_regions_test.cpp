@@ -97,17 +97,17 @@ TEST(FeatureRegions, BeyondAPlaneOfAVertexTheEdgeIsCloser) {
 
 TEST(FeatureRegions, OfABoxAreSixPrismsTwelveWedgesAndEightCones) {
   const LessonRun run = run_lesson(testing::shipped_lesson("regions-of-a-box"));
-  const RegionsTrace& told = regions_trace(*run.algorithm_traces[0]);
-  EXPECT_EQ(told.count(Kind::face), 6);
-  EXPECT_EQ(told.count(Kind::edge), 12);
-  EXPECT_EQ(told.count(Kind::vertex), 8);
-  for (const Feature& feature : told.features[1]) {
+  const RegionsTrace& trace = regions_trace(*run.algorithm_traces[0]);
+  EXPECT_EQ(trace.count(Kind::face), 6);
+  EXPECT_EQ(trace.count(Kind::edge), 12);
+  EXPECT_EQ(trace.count(Kind::vertex), 8);
+  for (const Feature& feature : trace.features[1]) {
     const std::size_t planes = feature.kind() == Kind::vertex ? 3
                                : feature.kind() == Kind::edge ? 4
                                                               : 5;
     EXPECT_EQ(feature.borders.size(), planes);
   }
-  EXPECT_EQ(told.answer("regions"), 26.0);
+  EXPECT_EQ(trace.answer("regions"), 26.0);
 }
 
 TEST(LocalVerification, HoldsForTheClosestPointsAndRefutesOthers) {
@@ -121,19 +121,19 @@ TEST(LocalVerification, HoldsForTheClosestPointsAndRefutesOthers) {
     lesson.bodies[0].vertices = random.body(5, Vector3d(-2.5, 0.0, 0.0));
     lesson.bodies[1].vertices = random.body(5, Vector3d(1.0, 0.0, 0.0));
     const LessonRun run = run_lesson(std::move(lesson));
-    const RegionsTrace& told = regions_trace(*run.algorithm_traces[0]);
-    for (const RegionsTrace::Step& step : told.all) {
+    const RegionsTrace& trace = regions_trace(*run.algorithm_traces[0]);
+    for (const RegionsTrace::Step& step : trace.all) {
       if (step.phase != Phase::region) continue;
-      const double depth = told.border(step).depth(told.point(step));
+      const double depth = trace.border(step).depth(trace.point(step));
       if (step.pair == 0) {
         refuted += depth < 0.0 ? 1 : 0;
       } else {
         EXPECT_GE(depth, -1e-9) << "round " << round;
       }
     }
-    ASSERT_EQ(told.pairs.size(), 2u);
-    EXPECT_LE(told.pairs[1].distance(), told.pairs[0].distance() + 1e-12);
-    EXPECT_EQ(told.reaches.empty(), told.all.back().phase != Phase::pair);
+    ASSERT_EQ(trace.pairs.size(), 2u);
+    EXPECT_LE(trace.pairs[1].distance(), trace.pairs[0].distance() + 1e-12);
+    EXPECT_EQ(trace.reaches.empty(), trace.all.back().phase != Phase::pair);
   }
   EXPECT_GT(refuted, 30);
 }

@@ -156,26 +156,26 @@ TEST(ExactHull, OfACubeWithPointsOnAllItsPartsAreItsEdges) {
 
 TEST(Climbs, OfTheLessonFindTheSupportPointsOfItsRun) {
   const LessonRun run = run_lesson(testing::shipped_lesson("hill-climbing"));
-  const ClimbTrace& told = climbs_trace(*run.algorithm_traces[0]);
-  ASSERT_GT(told.climbs.size(), 3u);
-  EXPECT_EQ(static_cast<int>(told.climbs.size()), support_calls(run.runs[0].trace));
-  for (std::size_t i = 0; i < told.climbs.size(); ++i) {
-    const Climb& climb = told.climbs[i];
+  const ClimbTrace& trace = climbs_trace(*run.algorithm_traces[0]);
+  ASSERT_GT(trace.climbs.size(), 3u);
+  EXPECT_EQ(static_cast<int>(trace.climbs.size()), support_calls(run.runs[0].trace));
+  for (std::size_t i = 0; i < trace.climbs.size(); ++i) {
+    const Climb& climb = trace.climbs[i];
     EXPECT_EQ(climb.walk.end(), climb.scanned);
     if (i == 0) continue;
-    EXPECT_EQ(climb.walk.looks.front().at, told.climbs[i - 1].walk.end());
+    EXPECT_EQ(climb.walk.looks.front().at, trace.climbs[i - 1].walk.end());
   }
-  EXPECT_LT(told.climbs.back().walk.products(), told.climbs.front().walk.products());
-  EXPECT_LT(told.answer("walked"), told.answer("scanned"));
+  EXPECT_LT(trace.climbs.back().walk.products(), trace.climbs.front().walk.products());
+  EXPECT_LT(trace.answer("walked"), trace.answer("scanned"));
 }
 
 TEST(Climbs, OfTwoPolyhedraGoAlongDAndAgainstIt) {
   Lesson lesson = testing::shipped_lesson("polyhedra-gjk");
   lesson.act = "hill-climbing";
   const LessonRun run = run_lesson(std::move(lesson));
-  const ClimbTrace& told = climbs_trace(*run.algorithm_traces[0]);
+  const ClimbTrace& trace = climbs_trace(*run.algorithm_traces[0]);
   int of_x = 0;
-  for (const Climb& climb : told.climbs) {
+  for (const Climb& climb : trace.climbs) {
     of_x += climb.of_x ? 1 : 0;
     // At the end d is normal to what is closest: its vertices lie equally far, but for rounding.
     const std::vector<Vector3d>& points = run.runs[0].bodies[climb.of_x ? 0 : 1].world;
@@ -183,7 +183,7 @@ TEST(Climbs, OfTwoPolyhedraGoAlongDAndAgainstIt) {
     EXPECT_NEAR(d.dot(points[static_cast<std::size_t>(climb.walk.end())]),
                 d.dot(points[static_cast<std::size_t>(climb.scanned)]), 1e-12);
   }
-  EXPECT_EQ(2 * of_x, static_cast<int>(told.climbs.size()));
+  EXPECT_EQ(2 * of_x, static_cast<int>(trace.climbs.size()));
 }
 
 TEST(Climbs, HaveWordsAndPicturesForAnyShape) {

@@ -48,9 +48,9 @@ double distance(const Points& x, const Points& y) {
   return gjk::distance<double>(gjk::Query<double, 3>{{x}, {y}}).distance;
 }
 
-Points corners(const SpaceWalk& told, const PositionedRun& run, std::size_t body, int feature) {
+Points corners(const SpaceWalk& trace, const PositionedRun& run, std::size_t body, int feature) {
   Points out;
-  for (const int vertex : told.features[body][static_cast<std::size_t>(feature)].vertices)
+  for (const int vertex : trace.features[body][static_cast<std::size_t>(feature)].vertices)
     out.push_back(run.bodies[body].world[static_cast<std::size_t>(vertex)]);
   return out;
 }
@@ -98,22 +98,22 @@ TEST(WalkInSpace, EndsAtTheDistanceAndCrossesEachPlaneThatItNames) {
     Points x = random.body(few, round % 3 == 0, Vector3d::Zero());
     Points y = random.body(many, round % 3 == 0, shift);
     const LessonRun run = run_of(shipped, x, y);
-    const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[0]);
-    if (told.all.empty()) continue;
+    const SpaceWalk& trace = space_walk_trace(*run.algorithm_traces[0]);
+    if (trace.all.empty()) continue;
     const double exact = distance(x, y);
-    ASSERT_EQ(told.overlaps(), exact == 0.0) << "round " << round;
+    ASSERT_EQ(trace.overlaps(), exact == 0.0) << "round " << round;
     if (exact > 0.0) {
-      EXPECT_NEAR(told.answer("distance"), exact, 1e-12) << "round " << round;
+      EXPECT_NEAR(trace.answer("distance"), exact, 1e-12) << "round " << round;
     }
-    for (std::size_t i = 0; i < told.all.size(); ++i) {
-      const SpaceWalk::Step& step = told.all[i];
+    for (std::size_t i = 0; i < trace.all.size(); ++i) {
+      const SpaceWalk::Step& step = trace.all[i];
       ++reasons[static_cast<std::size_t>(step.reason)];
       if (!step.moves() || step.reason == Reason::behind_face) continue;
       const Vector3d& p = step.points[1 - step.body];
-      const double beyond = told.beyond(step);
-      const auto of = [&](int feature) { return corners(told, run.runs[0], step.body, feature); };
+      const double beyond = trace.beyond(step);
+      const auto of = [&](int feature) { return corners(trace, run.runs[0], step.body, feature); };
       const Points own = of(step.at[step.body]);
-      const Points other = of(told.border(step).beyond);
+      const Points other = of(trace.border(step).beyond);
       if (own.size() <= 2 && other.size() <= 2) {
         const Points& vertex = own.size() == 1 ? own : other;
         const Points& edge = own.size() == 1 ? other : own;
@@ -135,7 +135,7 @@ TEST(WalkInSpace, EndsAtTheDistanceAndCrossesEachPlaneThatItNames) {
         EXPECT_GT(beyond, -1e-9) << "round " << round;
         EXPECT_NEAR(from_next, from_own, 1e-9) << "round " << round;
       }
-      EXPECT_LE(told.all[i + 1].distance(), step.distance() + 1e-12) << "round " << round;
+      EXPECT_LE(trace.all[i + 1].distance(), step.distance() + 1e-12) << "round " << round;
     }
   }
   for (const Reason each : {Reason::none, Reason::edge_end, Reason::face_side,
@@ -145,14 +145,14 @@ TEST(WalkInSpace, EndsAtTheDistanceAndCrossesEachPlaneThatItNames) {
 
 TEST(WalkInSpace, ShowsAVertexAnEdgeAndAFace) {
   const LessonRun run = run_lesson(testing::shipped_lesson("lin-canny-in-space"));
-  const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[0]);
+  const SpaceWalk& trace = space_walk_trace(*run.algorithm_traces[0]);
   std::array<int, 3> seen = {};
-  for (const SpaceWalk::Step& step : told.all)
+  for (const SpaceWalk::Step& step : trace.all)
     for (const std::size_t body : {0, 1})
       ++seen[static_cast<std::size_t>(
-          told.features[body][static_cast<std::size_t>(step.at[body])].kind())];
+          trace.features[body][static_cast<std::size_t>(step.at[body])].kind())];
   for (const int count : seen) EXPECT_GT(count, 0);
-  EXPECT_GE(told.pairs(), 5);
+  EXPECT_GE(trace.pairs(), 5);
 }
 
 TEST(WalkInSpace, HasWordsAndPicturesForAnyBodies) {
@@ -166,9 +166,9 @@ TEST(WalkInSpace, HasWordsAndPicturesForAnyBodies) {
     Points y = random.body(8, round % 2 == 0, shift);
     const char* id = round % 4 == 0 ? "lin-canny-space-motion" : "lin-canny-in-space";
     LessonRun run = run_of(testing::shipped_lesson(id), std::move(x), std::move(y));
-    const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[0]);
-    flat += told.all.empty() ? 1 : 0;
-    overlaps += !told.all.empty() && told.overlaps() ? 1 : 0;
+    const SpaceWalk& trace = space_walk_trace(*run.algorithm_traces[0]);
+    flat += trace.all.empty() ? 1 : 0;
+    overlaps += !trace.all.empty() && trace.overlaps() ? 1 : 0;
     EffectGraph effects(run);
     for (const FramePicture& frame : lesson_pictures(run, effects, testing::fonts()))
       EXPECT_FALSE(frame.text.caption.empty());
@@ -193,11 +193,11 @@ TEST(WalkInSpace, AlongAPathStartsFromTheLastPairAndIsCountedBesideGjk) {
     last = v_clip::walk(query, last ? v_clip::start(query, last->x, last->y)
                                     : v_clip::start(query, {v_clip::Kind::vertex, first.x},
                                                     {v_clip::Kind::vertex, first.y}));
-    const SpaceWalk& told = space_walk_trace(*run.algorithm_traces[i]);
-    EXPECT_EQ(told.pairs(), last->pairs);
-    one += told.pairs() == 1 ? 1 : 0;
+    const SpaceWalk& trace = space_walk_trace(*run.algorithm_traces[i]);
+    EXPECT_EQ(trace.pairs(), last->pairs);
+    one += trace.pairs() == 1 ? 1 : 0;
     const gjk::Query<double, 3> both{{x}, {y}};
-    EXPECT_EQ(told.cold, gjk::distance<double>(both, cold).iterations);
+    EXPECT_EQ(trace.cold, gjk::distance<double>(both, cold).iterations);
     const auto again = gjk::distance<double>(both, warm);
     EXPECT_EQ(run.runs[i].trace.result.iterations, again.iterations);
     warm.start = again.warm();

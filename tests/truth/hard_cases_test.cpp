@@ -47,10 +47,10 @@ std::vector<HardCase<D>> cases() {
   for (const auto& entry :
        std::filesystem::directory_iterator(GJKSCOPE_SOURCE_DIR "/tests/hard-cases")) {
     std::ifstream file(entry.path());
-    const json told = json::parse(file);
-    if (told.at("dimension") != D) continue;
+    const json document = json::parse(file);
+    if (document.at("dimension") != D) continue;
     HardCase<D> one;
-    one.name = told.at("name");
+    one.name = document.at("name");
     const auto read = [](const json& points, auto& to) {
       for (const json& point : points) {
         for (int i = 0; i < D; ++i) {
@@ -59,11 +59,12 @@ std::vector<HardCase<D>> cases() {
         }
       }
     };
-    read(told.at("a"), one.a);
-    read(told.at("b"), one.b);
-    one.overlap = told.at("expected_overlap");
-    one.touching = told.contains("touching") && told["touching"].is_boolean() && told["touching"];
-    one.distance_sq = fraction(told.at("expected_distance_squared_exact"));
+    read(document.at("a"), one.a);
+    read(document.at("b"), one.b);
+    one.overlap = document.at("expected_overlap");
+    one.touching =
+        document.contains("touching") && document["touching"].is_boolean() && document["touching"];
+    one.distance_sq = fraction(document.at("expected_distance_squared_exact"));
     out.push_back(one);
     out.push_back(one.swapped());
   }

@@ -964,7 +964,7 @@ TEST(App, ALongExportSaysHowFarItIsAndCanBeGivenUp) {
   options.height = 2160;
   options.jobs = 1;
   window.app().export_frames(options, true);
-  const auto told = [&] {
+  const auto message = [&] {
     for (const Notice& each : window.app().notices()) {
       if (each.cause == "exporting") return each.text;
     }
@@ -976,13 +976,13 @@ TEST(App, ALongExportSaysHowFarItIsAndCanBeGivenUp) {
     window.frame();
   }
   window.frame(1.0);
-  EXPECT_NE(std::string::npos, told().find(" of 23 frames")) << told();
-  EXPECT_NE(std::string::npos, told().find(folder.path().string())) << told();
+  EXPECT_NE(std::string::npos, message().find(" of 23 frames")) << message();
+  EXPECT_NE(std::string::npos, message().find(folder.path().string())) << message();
   window.app().ask_to_quit();
   EXPECT_FALSE(window.app().wants_to_quit()) << "it is said that an export is going on";
   ASSERT_TRUE(window.app().run_command("Cancel the export"));
   end_export(window);
-  EXPECT_TRUE(told().empty());
+  EXPECT_TRUE(message().empty());
   EXPECT_LT(window.app().exported().first, 22);
   EXPECT_TRUE(fs::exists(folder.path() / "polygons-gjk-0001.png")) << "what was done stays";
   EXPECT_FALSE(fs::exists(folder.path() / "polygons-gjk-0022.png"));

@@ -203,8 +203,8 @@ TEST(Lecture, APlaceIsPointedAtAndTheAnswerSaysHowFarOffThatWas) {
       {}, on_page(session, 0, *question.place + Eigen::Vector2d(0.0, 0.25))));
   ASSERT_EQ(1u, session.answers().size());
   EXPECT_EQ(question.answer, session.answers().back().chosen);
-  EXPECT_NE(std::string::npos, session.told().caption.find("You pointed 0.250 away."))
-      << session.told().caption;
+  EXPECT_NE(std::string::npos, session.shown_text().caption.find("You pointed 0.250 away."))
+      << session.shown_text().caption;
   window.frame(0.1);
 }
 
@@ -259,12 +259,12 @@ TEST(Lecture, TheVerdictAndItsReasonComeBeforeTheNextQuestion) {
   window.settle();
   EXPECT_EQ(asked_at, session.index()) << "the second question waits";
   EXPECT_FALSE(session.question()) << "and the first is answered";
-  const FrameText told = session.told();
-  ASSERT_TRUE(told.is_right);
-  EXPECT_FALSE(*told.is_right);
-  EXPECT_NE(std::string::npos, told.caption.find(question.answer)) << told.caption;
-  EXPECT_NE(std::string::npos, told.caption.find(*wrong)) << told.caption;
-  EXPECT_NE(std::string::npos, told.detail.find("farthest along d")) << told.detail;
+  const FrameText text = session.shown_text();
+  ASSERT_TRUE(text.is_right);
+  EXPECT_FALSE(*text.is_right);
+  EXPECT_NE(std::string::npos, text.caption.find(question.answer)) << text.caption;
+  EXPECT_NE(std::string::npos, text.caption.find(*wrong)) << text.caption;
+  EXPECT_NE(std::string::npos, text.detail.find("farthest along d")) << text.detail;
   const auto& marks = session.picture().marks;
   EXPECT_TRUE(std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
     return mark.role == "caption.wrong";
@@ -273,7 +273,7 @@ TEST(Lecture, TheVerdictAndItsReasonComeBeforeTheNextQuestion) {
   // Nothing of it goes by itself.
   for (int i = 0; i < 20; ++i) window.frame(1.0);
   EXPECT_EQ(asked_at, session.index());
-  EXPECT_TRUE(session.told().is_right.has_value());
+  EXPECT_TRUE(session.shown_text().is_right.has_value());
   window.key("Right");
   EXPECT_EQ(asked_at + 1, session.index());
   ASSERT_TRUE(session.question());
@@ -304,7 +304,7 @@ TEST(Lecture, TheScoreIsOfTheLessonThatIsOpen) {
   EXPECT_EQ(1, window.session().score().second);
   window.app().open_path(window.app().share() / "lessons" / "polygon-evolution.toml");
   EXPECT_EQ(0, window.session().score().second);
-  EXPECT_FALSE(window.session().told().is_right) << "no verdict of another lesson";
+  EXPECT_FALSE(window.session().shown_text().is_right) << "no verdict of another lesson";
 }
 
 TEST(Lecture, TheListingStopsAtAnOpenQuestion) {

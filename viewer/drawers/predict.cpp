@@ -115,11 +115,11 @@ struct Predict {
       wrapped_text(every_step ? "No step of this lesson can be asked about: each has one answer."
                               : "This lesson asks nothing by itself.");
     } else {
-      if (const FrameText told = session().told(); told.is_right) {
-        const char* const role = *told.is_right ? "caption.right" : "caption.wrong";
+      if (const FrameText text = session().shown_text(); text.is_right) {
+        const char* const role = *text.is_right ? "caption.right" : "caption.wrong";
         const Color ink = *app.theme().style(role).fill;
         ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(ink.r, ink.g, ink.b, 255));
-        wrapped_text(told.caption);
+        wrapped_text(text.caption);
         ImGui::PopStyleColor();
       }
       app.draw_button("Next step", -1.0f);

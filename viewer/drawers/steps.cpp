@@ -109,7 +109,7 @@ constexpr ImGuiTableFlags kStepsTable = ImGuiTableFlags_RowBg | ImGuiTableFlags_
 /// Steps beside each other, and their values below: all of these are in sight in any width.
 void draw_across(Session& session, Table& table) {
   constexpr int kMost = 60;  // steps; a table has at most 64 columns
-  const int count = session.last_told() + 1;
+  const int count = session.last_open() + 1;
   const int first = std::clamp(session.index() - kMost / 2, 0, std::max(count - kMost, 0));
   const int last = std::min(first + kMost, count);
   if (!ImGui::BeginTable("##steps-across", last - first + 1, kStepsTable)) return;
@@ -167,7 +167,7 @@ void draw_steps(App& app, Table& table) {
   for (const std::string& name : table.columns) ImGui::TableSetupColumn(name.c_str());
   ImGui::TableHeadersRow();
   // A question hides the steps after it from the table until it is answered.
-  const int count = session.last_told() + 1;
+  const int count = session.last_open() + 1;
   const float row = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   if (std::exchange(table.shown, session.index()) != session.index()) {
     table.pointed = -1;

@@ -16,7 +16,7 @@ struct NamedValue {
 /// All that the frame has, as drawers write numbers.
 [[nodiscard]] std::vector<NamedValue> values_now(App& app);
 
-/// The shapes, which overlap, told by the polygon that finds how deep.
+/// Shapes that overlap, with the polygon that finds how deep.
 void show_depth(App& app);
 
 /// Keeps a value in sight, or no longer.

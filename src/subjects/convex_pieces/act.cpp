@@ -10,7 +10,7 @@ namespace gjkscope::parts {
 
 int Shown::over(PiecesPhase phase, bool of_x) const {
   if (step == nullptr) return 0;
-  return static_cast<int>(std::count_if(told.told.data(), step + 1, [&](const PiecesStep& each) {
+  return static_cast<int>(std::count_if(trace.all.data(), step + 1, [&](const PiecesStep& each) {
     return each.phase == phase && each.of_x == of_x;
   }));
 }
@@ -18,14 +18,14 @@ int Shown::over(PiecesPhase phase, bool of_x) const {
 const models::PieceRun* Shown::least(int pairs) const {
   const models::PieceRun* found = nullptr;
   for (int i = 0; i < pairs; ++i) {
-    const models::PieceRun& run = told.result.runs[i];
+    const models::PieceRun& run = trace.result.runs[i];
     if (!run.skipped && (found == nullptr || run.distance < found->distance)) found = &run;
   }
   return found;
 }
 
 std::vector<int> Shown::tip_and_no_ears(const PiecesStep& at) const {
-  const models::Pieces& pieces = told.of(at.of_x);
+  const models::Pieces& pieces = trace.of(at.of_x);
   std::vector<int> left;
   for (int i = 0; i < static_cast<int>(pieces.points.size()); ++i) left.push_back(i);
   const auto tip = [&](int triangle) { return pieces.triangles[triangle][1]; };
@@ -41,7 +41,7 @@ std::vector<int> Shown::tip_and_no_ears(const PiecesStep& at) const {
 }
 
 std::string Shown::piece(bool of_x, int index) const {
-  const models::Pieces& pieces = told.of(of_x);
+  const models::Pieces& pieces = trace.of(of_x);
   if (pieces.pieces.size() == 1) return shape(of_x).name;
   return fmt::format("piece {} of {}", corners_name(shape(of_x), pieces.pieces[index]),
                      shape(of_x).name);
@@ -59,7 +59,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                                                            : PiecesPhase::merge;
   if (!shown.is(phase)) return -1;
   // With holes outlines are cut along bridges, too: there corners do not say what is cut off.
-  if (phase == PiecesPhase::triangle && (!shown.told.of(shown.step->of_x).bridges.empty() ||
+  if (phase == PiecesPhase::triangle && (!shown.trace.of(shown.step->of_x).bridges.empty() ||
                                          shown.tip_and_no_ears(*shown.step).size() < 2))
     return -1;
   if (question.at && *question.at != shown.over(phase)) return -1;

@@ -8,7 +8,7 @@ void listing(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   const bool pairs = shown.is(PiecesPhase::pair);
   const bool merges = shown.is(PiecesPhase::merge);
-  const bool merged = merges && shown.told.of(shown.step->of_x).merges[shown.step->index].merged;
+  const bool merged = merges && shown.trace.of(shown.step->of_x).merges[shown.step->index].merged;
   blocks::listing_line(panel, "cut X, Y into triangles, ear by ear",
                        shown.is(PiecesPhase::triangle));
   blocks::listing_line(panel, "for each diagonal", merges && !merged);
@@ -24,17 +24,18 @@ void listing(PanelBuilder& panel) {
 void counts(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   panel.heading("Pieces");
-  if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
+  if (shown.trace.refusal)
+    return panel.row("refused", words_of(*shown.trace.refusal, shown.lesson));
   panel.row("triangles", std::to_string(shown.over(PiecesPhase::triangle)));
   int gone = 0;
   for (const bool of_x : {true, false}) {
-    const auto& merges = shown.told.of(of_x).merges;
+    const auto& merges = shown.trace.of(of_x).merges;
     for (int i = 0; i < shown.over(PiecesPhase::merge, of_x); ++i) gone += merges[i].merged ? 1 : 0;
   }
   panel.row("diagonals taken away", std::to_string(gone));
   int skipped = 0;
   const int pairs = shown.over(PiecesPhase::pair);
-  for (int i = 0; i < pairs; ++i) skipped += shown.told.result.runs[i].skipped ? 1 : 0;
+  for (int i = 0; i < pairs; ++i) skipped += shown.trace.result.runs[i].skipped ? 1 : 0;
   panel.row("runs of GJK", std::to_string(pairs - skipped));
   panel.row("pairs skipped", std::to_string(skipped));
   panel.row("δ", shown.least() == nullptr ? "∞" : panel.numbers(shown.least()->distance));

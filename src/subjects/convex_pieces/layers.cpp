@@ -18,7 +18,7 @@ std::vector<Point> points_of(const SceneBuilder& scene, const models::Pieces& pi
 }
 
 void triangles(SceneBuilder& scene, const Shown& shown, bool of_x) {
-  const models::Pieces& pieces = shown.told.of(of_x);
+  const models::Pieces& pieces = shown.trace.of(of_x);
   const int over = shown.over(PiecesPhase::triangle, of_x);
   for (int i = 0; i < over; ++i) {
     const bool is_current = shown.step->of_x == of_x && i == shown.step->index;
@@ -29,7 +29,7 @@ void triangles(SceneBuilder& scene, const Shown& shown, bool of_x) {
 }
 
 void diagonals(SceneBuilder& scene, const Shown& shown, bool of_x) {
-  const models::Pieces& pieces = shown.told.of(of_x);
+  const models::Pieces& pieces = shown.trace.of(of_x);
   const int over = shown.over(PiecesPhase::merge, of_x);
   for (int i = 0; i < static_cast<int>(pieces.merges.size()); ++i) {
     const models::Merge& merge = pieces.merges[i];
@@ -69,7 +69,7 @@ void box(SceneBuilder& scene, const std::vector<Vector2d>& points) {
 void pair(SceneBuilder& scene, const Shown& shown) {
   const models::PieceRun& run = shown.run();
   for (const bool of_x : {true, false}) {
-    const models::Pieces& pieces = shown.told.of(of_x);
+    const models::Pieces& pieces = shown.trace.of(of_x);
     const auto& corners = pieces.pieces[of_x ? run.a : run.b];
     scene.area("simplex", points_of(scene, pieces, corners));
     std::vector<Vector2d> world;
@@ -85,7 +85,7 @@ void pair(SceneBuilder& scene, const Shown& shown) {
 
 void stage(SceneBuilder& scene) {
   const Shown& shown = shown_in<Shown>(scene);
-  if (shown.told.refusal || shown.step == nullptr) return;
+  if (shown.trace.refusal || shown.step == nullptr) return;
   if (shown.is(PiecesPhase::triangle)) {
     for (const bool of_x : {true, false}) triangles(scene, shown, of_x);
     return;

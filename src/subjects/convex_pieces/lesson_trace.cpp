@@ -30,7 +30,7 @@ PiecesTrace::PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& ou
   y = models::pieces_of(outlines.y);
   result = models::pieces_distance(outlines.x, outlines.y, x, y);
   const auto add = [&](PiecesPhase phase, bool of_x, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) told.push_back({phase, of_x, static_cast<int>(i)});
+    for (std::size_t i = 0; i < count; ++i) all.push_back({phase, of_x, static_cast<int>(i)});
   };
   for (const bool of_x : {true, false}) {
     // A shape that is a triangle is cut into nothing.
@@ -41,7 +41,7 @@ PiecesTrace::PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& ou
 }
 
 StepInfo PiecesTrace::info(int index) const {
-  const PiecesStep& step = told[index];
+  const PiecesStep& step = all[index];
   const bool is_event = step.phase == PiecesPhase::pair && result.runs[step.index].skipped;
   return {index + 1, kPhases[static_cast<std::size_t>(step.phase)], is_event};
 }
@@ -53,7 +53,7 @@ double PiecesTrace::answer(std::string_view name) const {
 }
 
 Json PiecesTrace::step_json(const Lesson& lesson, int index) const {
-  const PiecesStep& step = told[index];
+  const PiecesStep& step = all[index];
   const auto at = static_cast<std::size_t>(step.index);
   const LessonShape& shape = step.of_x ? lesson.x() : lesson.y();
   const models::Pieces& pieces = of(step.of_x);

@@ -25,14 +25,14 @@ class PiecesTrace final : public OutlineTrace {
  public:
   PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& outlines);
 
-  [[nodiscard]] int steps() const override { return static_cast<int>(told.size()); }
+  [[nodiscard]] int steps() const override { return static_cast<int>(all.size()); }
   [[nodiscard]] StepInfo info(int index) const override;
   [[nodiscard]] double answer(std::string_view name) const override;
 
   models::Pieces x;
   models::Pieces y;
   models::PiecesAnswer result;
-  std::vector<PiecesStep> told;
+  std::vector<PiecesStep> all;
 
   [[nodiscard]] const models::Pieces& of(bool of_x) const { return of_x ? x : y; }
 

@@ -16,12 +16,12 @@ inline constexpr AskInfo kAskPair{"piece-pair", "whether a pair of pieces is run
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(pieces_trace(run.algorithm_trace(frame))),
-        step(last_step_over(told.told, frame)),
-        is_answer(frame.step >= told.steps()) {}
+        trace(pieces_trace(run.algorithm_trace(frame))),
+        step(last_step_over(trace.all, frame)),
+        is_answer(frame.step >= trace.steps()) {}
 
   const Lesson& lesson;
-  const PiecesTrace& told;
+  const PiecesTrace& trace;
   const PiecesStep* step = nullptr;  ///< The last that is over; none at the start.
   bool is_answer = false;            ///< The frame after the last step.
 
@@ -32,7 +32,7 @@ struct Shown {
   [[nodiscard]] int over(PiecesPhase phase) const { return over(phase, true) + over(phase, false); }
   [[nodiscard]] int over(PiecesPhase phase, bool of_x) const;
   /// The pair of a frame that shows one.
-  [[nodiscard]] const models::PieceRun& run() const { return told.result.runs[step->index]; }
+  [[nodiscard]] const models::PieceRun& run() const { return trace.result.runs[step->index]; }
   /// The run with the least distance by now; none before the first.
   [[nodiscard]] const models::PieceRun* least() const { return least(over(PiecesPhase::pair)); }
   /// The same of the first `pairs`.

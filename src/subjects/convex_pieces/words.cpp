@@ -9,7 +9,7 @@ namespace {
 
 void triangle(const Shown& shown, FrameText& text) {
   const LessonShape& shape = shown.shape(shown.step->of_x);
-  const auto& triangles = shown.told.of(shown.step->of_x).triangles;
+  const auto& triangles = shown.trace.of(shown.step->of_x).triangles;
   const std::string name = corners_name(shape, triangles[shown.step->index]);
   if (shown.step->index + 1 == static_cast<int>(triangles.size())) {
     text.caption = fmt::format("Triangle {} is what is left of {}.", name, shape.name);
@@ -26,7 +26,7 @@ void triangle(const Shown& shown, FrameText& text) {
 
 void merge(const Shown& shown, FrameText& text) {
   const LessonShape& shape = shown.shape(shown.step->of_x);
-  const models::Merge& merge = shown.told.of(shown.step->of_x).merges[shown.step->index];
+  const models::Merge& merge = shown.trace.of(shown.step->of_x).merges[shown.step->index];
   const std::string name = corners_name(shape, std::array{merge.from, merge.to});
   if (merge.merged) {
     text.caption = fmt::format("Diagonal {} goes: its two pieces become one.", name);
@@ -65,7 +65,7 @@ void ask_for_an_ear(const Shown& shown, const PiecesStep& step, FrameText& text)
   const auto name = [&](int corner) { return shape.vertex_names[corner]; };
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEar.name), {}, {}});
   for (const int corner : shown.tip_and_no_ears(step)) asked.choices.push_back(name(corner));
-  asked.answer = name(shown.told.of(step.of_x).triangles[step.index][1]);
+  asked.answer = name(shown.trace.of(step.of_x).triangles[step.index][1]);
   asked.refuted = "At the others what is left turns in, or another corner lies in the triangle.";
   text.caption = fmt::format(
       "Question: at which of these corners is an ear of {}, to be cut off next? Point at it.",
@@ -76,24 +76,24 @@ void ask_for_an_ear(const Shown& shown, const PiecesStep& step, FrameText& text)
 
 void words(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  if (shown.told.refusal) {
+  if (shown.trace.refusal) {
     text.caption =
-        fmt::format("Cutting does not take {}.", words_of(*shown.told.refusal, shown.lesson));
+        fmt::format("Cutting does not take {}.", words_of(*shown.trace.refusal, shown.lesson));
     text.detail = "It needs closed outlines that do not meet themselves or each other.";
   } else if (shown.step == nullptr) {
     text.caption = "GJK needs convex shapes. The shapes are cut into convex pieces.";
     text.detail = "The distance is the least over all pairs of pieces.";
   } else if (shown.is_answer) {
-    const models::PiecesAnswer& result = shown.told.result;
+    const models::PiecesAnswer& result = shown.trace.result;
     text.caption = fmt::format("{} and {} are {} apart.", shown.lesson.x().name,
                                shown.lesson.y().name, story.numbers(result.answer.distance));
     if (result.answer.overlap)
       text.caption =
           fmt::format("{} and {} overlap.", shown.lesson.x().name, shown.lesson.y().name);
     text.detail =
-        fmt::format("{} and {} pieces make {} pairs. GJK ran on {}.", shown.told.x.pieces.size(),
-                    shown.told.y.pieces.size(),
-                    shown.told.x.pieces.size() * shown.told.y.pieces.size(), result.visits);
+        fmt::format("{} and {} pieces make {} pairs. GJK ran on {}.", shown.trace.x.pieces.size(),
+                    shown.trace.y.pieces.size(),
+                    shown.trace.x.pieces.size() * shown.trace.y.pieces.size(), result.visits);
   } else if (shown.step->phase == PiecesPhase::triangle) {
     triangle(shown, text);
   } else if (shown.step->phase == PiecesPhase::merge) {
@@ -105,10 +105,10 @@ void words(const Story& story, FrameText& text) {
 
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  const PiecesStep& step = shown.told.told[story.frame.answering_step];
+  const PiecesStep& step = shown.trace.all[story.frame.answering_step];
   if (step.phase == PiecesPhase::triangle) return ask_for_an_ear(shown, step, text);
   if (step.phase == PiecesPhase::merge) {
-    const models::Merge& merge = shown.told.of(step.of_x).merges[step.index];
+    const models::Merge& merge = shown.trace.of(step.of_x).merges[step.index];
     FrameQuestion& asked = text.question.emplace(
         FrameQuestion{std::string(kAskDiagonal.name),
                       {"it goes: the piece stays convex", "it stays: a corner would turn in"},
@@ -119,7 +119,7 @@ void question(const Story& story, FrameText& text) {
                     corners_name(shown.shape(step.of_x), std::array{merge.from, merge.to}));
     return;
   }
-  const models::PieceRun& run = shown.told.result.runs[step.index];
+  const models::PieceRun& run = shown.trace.result.runs[step.index];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{
       std::string(kAskPair.name), {"run GJK", "skip: their boxes are too far apart"}, {}});
   asked.answer = asked.choices[run.skipped ? 1 : 0];
@@ -137,7 +137,7 @@ void values(const Story& story, FrameText& text) {
   put("triangles", std::to_string(shown.over(PiecesPhase::triangle)));
   int runs = 0;
   for (int i = 0; i < shown.over(PiecesPhase::pair); ++i)
-    runs += shown.told.result.runs[i].skipped ? 0 : 1;
+    runs += shown.trace.result.runs[i].skipped ? 0 : 1;
   put("runs", std::to_string(runs));
   if (shown.least() != nullptr) put("least", story.numbers(shown.least()->distance));
 }

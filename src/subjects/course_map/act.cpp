@@ -62,12 +62,12 @@ Vector2d corner(int chapter) {
 }
 
 /// The chapters that a frame describes.
-int told(const Frame& frame) { return frame.part; }
+int chapter_of(const Frame& frame) { return frame.part; }
 
 void frames(LessonRun& run, int index) { guesses::add_part_frames(run, index, kChapters + 1); }
 
 Tick tick(const LessonRun&, const Frame& frame) {
-  const int chapter = told(frame);
+  const int chapter = chapter_of(frame);
   if (chapter == 0) return {.group = "start"};
   return {.group = chapter <= kOfGjk ? "GJK" : "beyond",
           .label = fmt::format("chapter {}", chapter),
@@ -79,13 +79,13 @@ constexpr std::array kAsks = {kAskUses};
 
 int answering_step(const LessonRun&, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
-  const int chapter = told(frame);
+  const int chapter = chapter_of(frame);
   return chapter >= 3 && chapter <= kOfGjk && question.at.value_or(chapter) == chapter ? frame.step
                                                                                        : -1;
 }
 
 void question(const Story& story, FrameText& text) {
-  const int next = told(story.frame) + 1;
+  const int next = chapter_of(story.frame) + 1;
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskUses.name), {}, {}});
   for (int i = 0; i + 1 < next; ++i) {
     const Vector2d middle = corner(i) + 0.5 * Vector2d(kWidth, kHeight);
@@ -103,7 +103,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void words(const Story& story, FrameText& text) {
-  const int chapter = told(story.frame);
+  const int chapter = chapter_of(story.frame);
   if (chapter == 0) {
     text.caption = "A map of this course: arrows will show which problem makes use of which.";
     text.detail =
@@ -111,9 +111,9 @@ void words(const Story& story, FrameText& text) {
         "follows the slides of Catto (2010) and Larsen (1998).";
     return;
   }
-  const Chapter& told = kCourse[static_cast<std::size_t>(chapter) - 1];
-  text.caption = told.caption;
-  text.detail = told.detail;
+  const Chapter& at = kCourse[static_cast<std::size_t>(chapter) - 1];
+  text.caption = at.caption;
+  text.detail = at.detail;
 }
 
 /// Draws in the lower left corner of a chapter's picture.
@@ -183,7 +183,7 @@ void picture(SceneBuilder& scene, int chapter) {
 }
 
 void stage(SceneBuilder& scene) {
-  const int current = told(scene.frame);
+  const int current = chapter_of(scene.frame);
   for (int i = 0; i < kChapters; ++i) {
     const Vector2d low = corner(i);
     const Vector2d high = low + Vector2d(kWidth, kHeight);

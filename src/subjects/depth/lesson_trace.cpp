@@ -291,7 +291,7 @@ std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const Posi
   });
 }
 
-const LessonTrace* told(const LessonRun& run, int index) {
+const LessonTrace* trace_at(const LessonRun& run, int index) {
   if (run.act->algorithm != &kDepthAlgorithm) return nullptr;
   return static_cast<const LessonTrace*>(run.algorithm_traces[index].get());
 }
@@ -321,17 +321,17 @@ const Algorithm kDepthAlgorithm{.name = "depth",
                                 .text = text};
 
 const DepthTrace* depth_trace(const LessonRun& run, int index) {
-  const auto* found = dynamic_cast<const LessonTraceOf<DepthTrace>*>(told(run, index));
+  const auto* found = dynamic_cast<const LessonTraceOf<DepthTrace>*>(trace_at(run, index));
   return found == nullptr ? nullptr : &found->trace();
 }
 
 const DepthTraceInSpace* depth_trace_in_space(const LessonRun& run, int index) {
-  const auto* found = dynamic_cast<const LessonTraceOf<DepthTraceInSpace>*>(told(run, index));
+  const auto* found = dynamic_cast<const LessonTraceOf<DepthTraceInSpace>*>(trace_at(run, index));
   return found == nullptr ? nullptr : &found->trace();
 }
 
 const DepthResult* depth_result(const LessonRun& run, int index) {
-  const LessonTrace* found = told(run, index);
+  const LessonTrace* found = trace_at(run, index);
   return found == nullptr ? nullptr : &found->result();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Penetration depth as the algorithm of a lesson: run in the lesson's scalar, widened to double,
-// and told as JSON and as text.
+// and written as JSON and as text.
 
 #include "depth/depth.hpp"
 #include "exact/instances.hpp"

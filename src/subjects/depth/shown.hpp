@@ -74,7 +74,7 @@ struct ShownInSpace : ShownPart<DepthTraceInSpace> {
   /// Those that the polytope has, in order.
   [[nodiscard]] std::vector<int> faces() const;
   [[nodiscard]] bool is_nearest(int face) const { return knows_nearest() && face == state.face; }
-  /// The next step drops it: the support point sees it. Told by frames of the stop test.
+  /// The next step drops it: the support point sees it. Frames of the stop test say it.
   [[nodiscard]] bool is_visible(int of) const;
   /// The step has added it.
   [[nodiscard]] bool is_new(int of) const;

@@ -33,40 +33,40 @@ void face_kinds(PanelBuilder& panel) {
   if (const auto growing = growth_of(panel.run, panel.frame)) return growth(panel, *growing);
   const Shown shown(panel.run, panel.frame);
   panel.heading("Faces of Z");
-  const FacesTrace& told = shown.told;
+  const FacesTrace& trace = shown.trace;
   const std::string& x = panel.run.lesson.x().name;
   const std::string& y = panel.run.lesson.y().name;
   const int over = shown.asks ? shown.step - 1 : shown.step;
   const auto is_counted = [&](Kind kind) {
     for (int i = 0; i <= over; ++i) {
-      const FacesTrace::Step& step = told.all[i];
+      const FacesTrace::Step& step = trace.all[i];
       if (step.phase == Phase::all) return true;
-      if (step.kind == kind && (step.phase == Phase::kind || told.count(kind) == 1)) return true;
+      if (step.kind == kind && (step.phase == Phase::kind || trace.count(kind) == 1)) return true;
     }
     return false;
   };
   const auto row = [&](Kind kind, const std::string& name) {
-    const bool is_now = over >= 0 && told.all[over].kind == kind &&
-                        told.all[over].phase != Phase::all && !shown.asks;
+    const bool is_now = over >= 0 && trace.all[over].kind == kind &&
+                        trace.all[over].phase != Phase::all && !shown.asks;
     if (is_now) panel.highlight();
-    panel.row(name, is_counted(kind) ? std::to_string(told.count(kind)) : "");
+    panel.row(name, is_counted(kind) ? std::to_string(trace.count(kind)) : "");
   };
   row(Kind::of_y, fmt::format("faces of {}", y));
   row(Kind::of_x, fmt::format("faces of −{}", x));
   row(Kind::of_edges, "pairs of edges");
-  if (told.count(Kind::of_several) > 0) row(Kind::of_several, "of several");
-  const bool has_all = over >= 0 && told.all[over].phase == Phase::all;
-  panel.row("in all", has_all ? std::to_string(told.faces.size()) : "");
+  if (trace.count(Kind::of_several) > 0) row(Kind::of_several, "of several");
+  const bool has_all = over >= 0 && trace.all[over].phase == Phase::all;
+  panel.row("in all", has_all ? std::to_string(trace.faces.size()) : "");
   panel.rule();
   panel.heading(fmt::format("{} and {} have", y, x));
-  const auto& [of_x, of_y] = told.hulls;
+  const auto& [of_x, of_y] = trace.hulls;
   panel.row("faces", fmt::format("{} and {}", of_y.faces.size(), of_x.faces.size()));
   panel.row("edges", fmt::format("{} and {}", of_y.edges.size(), of_x.edges.size()));
   panel.row("pairs of edges", std::to_string(of_y.edges.size() * of_x.edges.size()));
   if (!shown.is_answer || shown.asks) return;
   panel.rule();
   panel.heading("GJK");
-  panel.row("support points", std::to_string(told.support_points));
+  panel.row("support points", std::to_string(trace.support_points));
 }
 
 }  // namespace

@@ -131,10 +131,10 @@ Plot faces_plot(Growing growing, bool asks, const FaceGrowth::Value& samples) {
   Plot plot;
   plot.x = {1.0, 1e3, true, "vertices n of each body"};
   plot.y = {1.0, growing == Growing::general ? 1e9 : 1e5, true, ""};
-  const auto count = [&](PlotStyle style, std::string name, int Sample::*counted, bool is_told) {
+  const auto count = [&](PlotStyle style, std::string name, int Sample::*counted, bool is_shown) {
     PlotSeries series{style, std::move(name), {}};
     for (const Sample& sample : samples) {
-      if (!is_told && sample.vertices > asked_from(samples).vertices) break;
+      if (!is_shown && sample.vertices > asked_from(samples).vertices) break;
       series.points.emplace_back(sample.vertices, sample.*counted);
     }
     plot.series.push_back(std::move(series));

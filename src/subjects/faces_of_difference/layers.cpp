@@ -35,7 +35,7 @@ std::string role_of(Kind kind) {
 
 /// The faces that look at the eye, those of one kind or all.
 void faces_of_z(SceneBuilder& scene, const Shown& shown, const Kind* kind) {
-  for (const Face& face : shown.told.faces) {
+  for (const Face& face : shown.trace.faces) {
     if (kind != nullptr && face.kind() != *kind) continue;
     if (scene.map.towards_eye(face.normal) > 0.0)
       face_of_z(scene, shown, face, role_of(face.kind()));
@@ -81,7 +81,7 @@ void source(SceneBuilder& scene, const Shown& shown, const Face& of_z, bool is_x
 
 /// In the world: all that makes faces of a kind.
 void sources(SceneBuilder& scene, const Shown& shown, Kind kind) {
-  for (const Face& face : shown.told.faces) {
+  for (const Face& face : shown.trace.faces) {
     if (face.kind() != kind) continue;
     if (face.y.size() > 1 && (face.y.size() == 2 || scene.map.towards_eye(face.normal) > 0.0))
       source(scene, shown, face, false);

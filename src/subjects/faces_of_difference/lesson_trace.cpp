@@ -22,15 +22,15 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
     {{"faces", "faces of Z"}, {"support points", "support points that GJK asked for"}}};
 
 /// The face of a kind that a picture shows best: seen by the eye of a view, and large.
-int shown_of_kind(const FacesTrace& told, Kind kind, const Lesson& lesson,
+int shown_of_kind(const FacesTrace& trace, Kind kind, const Lesson& lesson,
                   const PositionedRun& run) {
   Eye eye = eye_across(run.trace.result.y - run.trace.result.x);
   for (const LessonView& view : lesson.views) eye = view.eye.value_or(eye);
   const Vector3d towards = axes_of(eye).row(2);
   int best = -1;
   double most = 0.0;
-  for (std::size_t i = 0; i < told.faces.size(); ++i) {
-    const sums_in_space::Face& face = told.faces[i];
+  for (std::size_t i = 0; i < trace.faces.size(); ++i) {
+    const sums_in_space::Face& face = trace.faces[i];
     if (face.kind() != kind) continue;
     double area = 0.0;  // as the eye sees it
     const auto corners = corners_of(face, run.x().world, run.y().world);
@@ -50,22 +50,22 @@ int shown_of_kind(const FacesTrace& told, Kind kind, const Lesson& lesson,
 
 std::shared_ptr<const AlgorithmTrace> find_faces(const Lesson& lesson, const PositionedRun& run,
                                                  const AlgorithmTrace*) {
-  auto told = std::make_shared<FacesTrace>();
-  if (!why_not_drawn(run).empty()) return told;
-  told->support_points = support_calls(run.trace);
+  auto trace = std::make_shared<FacesTrace>();
+  if (!why_not_drawn(run).empty()) return trace;
+  trace->support_points = support_calls(run.trace);
   for (std::size_t body = 0; body < 2; ++body)
-    told->hulls[body] = exact_hull(run.bodies[body].world);
-  told->faces = sums_in_space::faces_of_difference(run.x().world, told->hulls[0], run.y().world,
-                                                   told->hulls[1]);
-  if (told->faces.empty()) return told;
+    trace->hulls[body] = exact_hull(run.bodies[body].world);
+  trace->faces = sums_in_space::faces_of_difference(run.x().world, trace->hulls[0], run.y().world,
+                                                    trace->hulls[1]);
+  if (trace->faces.empty()) return trace;
   for (int i = 0; i < sums_in_space::kKinds; ++i) {
     const Kind kind = static_cast<Kind>(i);
-    if (told->count(kind) == 0) continue;
-    told->all.push_back({Phase::one, kind, shown_of_kind(*told, kind, lesson, run)});
-    if (told->count(kind) > 1) told->all.push_back({Phase::kind, kind, -1});
+    if (trace->count(kind) == 0) continue;
+    trace->all.push_back({Phase::one, kind, shown_of_kind(*trace, kind, lesson, run)});
+    if (trace->count(kind) > 1) trace->all.push_back({Phase::kind, kind, -1});
   }
-  told->all.push_back({});
-  return told;
+  trace->all.push_back({});
+  return trace;
 }
 
 }  // namespace

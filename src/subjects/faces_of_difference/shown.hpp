@@ -29,15 +29,15 @@ inline constexpr AskInfo kAskCorners{"general-corners",
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(faces_trace(run.algorithm_trace(frame))),
+        trace(faces_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         asks(frame.question >= 0),
         asks_source(asks && run.asked(frame).ask == kAskSource.name),
-        is_answer(frame.step >= told.steps()),
-        step(asks ? frame.answering_step : std::min(frame.step, told.steps() - 1)) {}
+        is_answer(frame.step >= trace.steps()),
+        step(asks ? frame.answering_step : std::min(frame.step, trace.steps() - 1)) {}
 
   const Lesson& lesson;
-  const FacesTrace& told;
+  const FacesTrace& trace;
   const std::vector<Body>& bodies;
   bool asks;
   bool asks_source;
@@ -54,10 +54,10 @@ struct Shown {
   }
 
   // For a frame with a step
-  [[nodiscard]] const FacesTrace::Step& at() const { return told.all[step]; }
+  [[nodiscard]] const FacesTrace::Step& at() const { return trace.all[step]; }
   /// The face that it is about; null where it is about many.
   [[nodiscard]] const sums_in_space::Face* face() const {
-    return at().face < 0 ? nullptr : &told.faces[at().face];
+    return at().face < 0 ? nullptr : &trace.faces[at().face];
   }
   [[nodiscard]] std::string of_y(const sums_in_space::Face& face) const {
     return part_name(lesson.y(), face.y);

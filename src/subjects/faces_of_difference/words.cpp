@@ -15,8 +15,8 @@ using Phase = FacesTrace::Phase;
 void start(const Shown& shown, FrameText& text) {
   const std::string& x = shown.lesson.x().name;
   const std::string& y = shown.lesson.y().name;
-  if (shown.told.steps() == 0) {
-    const bool is_x = shown.told.hulls[0].faces.empty();
+  if (shown.trace.steps() == 0) {
+    const bool is_x = shown.trace.hulls[0].faces.empty();
     text.caption = fmt::format("{} is flat: its points lie in one plane.", is_x ? x : y);
     text.detail = "The three kinds of faces are those of two bodies that both have a volume.";
     return;
@@ -69,14 +69,14 @@ void one(const Shown& shown, FrameText& text) {
 
 void kind(const Shown& shown, FrameText& text) {
   const Kind of = shown.at().kind;
-  const int count = shown.told.count(of);
+  const int count = shown.trace.count(of);
   const std::string& x = shown.lesson.x().name;
   const std::string& y = shown.lesson.y().name;
   switch (of) {
     case Kind::of_y:
     case Kind::of_x: {
       const bool of_y = of == Kind::of_y;
-      const auto faces = shown.told.hulls[of_y ? 1 : 0].faces.size();
+      const auto faces = shown.trace.hulls[of_y ? 1 : 0].faces.size();
       text.caption =
           fmt::format("{} faces of Z are faces of {}{}{}", count, of_y ? "" : "−", of_y ? y : x,
                       static_cast<std::size_t>(count) == faces
@@ -88,7 +88,7 @@ void kind(const Shown& shown, FrameText& text) {
     case Kind::of_edges:
       text.caption = fmt::format(
           "{} faces of Z are parallelograms, some of them behind. There are {} pairs of edges.",
-          count, shown.told.hulls[1].edges.size() * shown.told.hulls[0].edges.size());
+          count, shown.trace.hulls[1].edges.size() * shown.trace.hulls[0].edges.size());
       text.detail = fmt::format(
           "A pair makes one if planes along both edges touch {} and {} in these edges alone, from "
           "opposite sides.",
@@ -102,14 +102,14 @@ void kind(const Shown& shown, FrameText& text) {
 }
 
 void all(const Shown& shown, FrameText& text) {
-  const FacesTrace& told = shown.told;
+  const FacesTrace& trace = shown.trace;
   std::string sum;
   for (int i = 0; i < sums_in_space::kKinds; ++i) {
-    const int count = told.count(static_cast<Kind>(i));
+    const int count = trace.count(static_cast<Kind>(i));
     if (i == 3 && count == 0) continue;
     sum += fmt::format("{}{}", sum.empty() ? "" : " + ", count);
   }
-  text.caption = fmt::format("Z has {} = {} faces.", sum, told.faces.size());
+  text.caption = fmt::format("Z has {} = {} faces.", sum, trace.faces.size());
   text.detail =
       "There are no others. In the plane each edge comes once: m + n in all. In space pairs of "
       "edges "
@@ -119,7 +119,7 @@ void all(const Shown& shown, FrameText& text) {
 void answer(const Story& story, const Shown& shown, FrameText& text) {
   text.caption =
       fmt::format("GJK does not build these {} faces. It asks for {} support points of Z.",
-                  shown.told.faces.size(), shown.told.support_points);
+                  shown.trace.faces.size(), shown.trace.support_points);
   if (story.trace.result.stop == gjk::StopReason::repeated_support)
     text.caption += " The last one is there already, so GJK stops.";
   text.detail = fmt::format(
@@ -228,7 +228,7 @@ void question(const Story& story, FrameText& text) {
   }
   const bool of_y = face.kind() == Kind::of_y;
   const LessonShape& other = of_y ? shown.lesson.x() : shown.lesson.y();
-  const Polyhedron& hull = shown.told.hulls[of_y ? 0 : 1];
+  const Polyhedron& hull = shown.trace.hulls[of_y ? 0 : 1];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskMover.name), {}, {}});
   for (const int vertex : hull.vertices) asked.choices.push_back(other.vertex_names[vertex]);
   asked.answer = other.vertex_names[of_y ? face.x[0] : face.y[0]];
@@ -242,14 +242,14 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const FacesTrace& told = Shown(story.run, story.frame).told;
+  const FacesTrace& trace = Shown(story.run, story.frame).trace;
   const auto put = [&](std::string name, std::string value) {
     text.values.emplace_back(std::move(name), std::move(value));
   };
   put("x", story.run.lesson.x().name);
   put("y", story.run.lesson.y().name);
-  put("faces", std::to_string(told.faces.size()));
-  put("support points", std::to_string(told.support_points));
+  put("faces", std::to_string(trace.faces.size()));
+  put("support points", std::to_string(trace.support_points));
 }
 
 }  // namespace gjkscope::zfaces

@@ -38,9 +38,9 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   const Phase phase = answering_phase(question.ask);
   if (!shown.is(phase)) return -1;
   if (phase == Phase::slab) return shown.reaching_vertex() ? frame.step : -1;
-  if (shown.told.feature(shown.at()) < 0) return -1;
+  if (shown.trace.feature(shown.at()) < 0) return -1;
   const auto is_test = [](const RegionsTrace::Step& step) { return step.phase == Phase::region; };
-  const auto first = shown.told.all.begin();
+  const auto first = shown.trace.all.begin();
   const auto at =
       phase == Phase::query ? frame.run + 1 : std::count_if(first, first + frame.step + 1, is_test);
   return question.at && *question.at != at ? -1 : frame.step;
@@ -73,7 +73,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
   Tick out{.group = group(run, frame), .label = "start"};
   if (shown.step < 0) return out;
-  const StepInfo info = shown.told.info(shown.step);
+  const StepInfo info = shown.trace.info(shown.step);
   out.label = shown.is(Phase::kind) ? "all" : info.phase;
   out.event = info.is_event;
   return out;

@@ -18,8 +18,8 @@ void region_planes(PanelBuilder& panel) {
     if (has_point)
       panel.write("heading", panel.right, "depth inside", type::kHeading, Align::right);
     panel.heading(fmt::format("Region of {}", shown.name(shown.feature_index())));
-    for (const Border& border : shown.told.borders(at)) {
-      const double depth = border.depth(shown.told.point(at));
+    for (const Border& border : shown.trace.borders(at)) {
+      const double depth = border.depth(shown.trace.point(at));
       if (has_point && depth < 0.0) panel.highlight();
       panel.row(border.beyond < 0 ? "plane of the face" : "plane at " + shown.name(border.beyond),
                 has_point ? panel.numbers(depth) : "");
@@ -31,10 +31,10 @@ void region_planes(PanelBuilder& panel) {
     panel.heading("Regions");
     constexpr std::array<const char*, kKinds> kNames = {"of faces", "of edges", "of vertices"};
     for (int i = 0; i < kKinds; ++i) {
-      const bool is_told = shown.is(Phase::all) || i <= static_cast<int>(at.kind);
-      panel.row(kNames[i], is_told ? std::to_string(shown.told.count(static_cast<Kind>(i))) : "");
+      const bool is_shown = shown.is(Phase::all) || i <= static_cast<int>(at.kind);
+      panel.row(kNames[i], is_shown ? std::to_string(shown.trace.count(static_cast<Kind>(i))) : "");
     }
-    if (shown.is(Phase::all)) panel.row("in all", std::to_string(shown.told.features[1].size()));
+    if (shown.is(Phase::all)) panel.row("in all", std::to_string(shown.trace.features[1].size()));
   }
 }
 

@@ -33,8 +33,8 @@ void step_of_pair(SceneBuilder& scene, const Shown& shown) {
   const auto& [phase, of_pair, body, kind, feature] = shown.at();
   if (phase == Phase::region) {
     if (!shown.asks && !shown.holds()) {
-      const Border& border = shown.told.border(shown.at());
-      draw_refuting_plane(scene, border, shown.pair().points[body], shown.told.point(shown.at()));
+      const Border& border = shown.trace.border(shown.at());
+      draw_refuting_plane(scene, border, shown.pair().points[body], shown.trace.point(shown.at()));
       draw_neighbour(scene, body, shown.feature(border.beyond));
     }
     return draw_feature(scene, body, shown.feature(shown.feature_index()));
@@ -45,9 +45,9 @@ void step_of_pair(SceneBuilder& scene, const Shown& shown) {
     if (phase != Phase::plane || end == body)
       draw_plane(scene, ends[end], normal, scene.plane_half_width(), "slab.plane");
   }
-  if (phase == Phase::pair) draw_pair(scene, shown.told.pairs[0].points, "cell.other", {});
+  if (phase == Phase::pair) draw_pair(scene, shown.trace.pairs[0].points, "cell.other", {});
   if (phase != Phase::slab || of_pair > 0 || shown.asks) return;
-  for (const auto& [of, vertex] : shown.told.reaches)
+  for (const auto& [of, vertex] : shown.trace.reaches)
     scene.diamond("slab.vertex", scene.at(shown.vertex(of, vertex)), kSupportRadius);
 }
 
@@ -59,8 +59,8 @@ FeatureRegions::Value regions_of(const Shown& shown) {
   const bool is_both = at.phase == Phase::slab && at.pair == 1;
   if (at.phase == Phase::pair || (at.phase == Phase::slab && !is_both)) return out;
   for (const std::size_t body : {0, 1}) {
-    for (const Feature& feature : shown.told.features[body]) {
-      const int index = static_cast<int>(&feature - shown.told.features[body].data());
+    for (const Feature& feature : shown.trace.features[body]) {
+      const int index = static_cast<int>(&feature - shown.trace.features[body].data());
       const bool is_shown = at.phase == Phase::all    ? true
                             : at.phase == Phase::kind ? feature.kind() == at.kind
                             : is_both                 ? index == shown.pair().features[body]
@@ -89,7 +89,7 @@ FeatureRegions::Value FeatureRegions::compute(EffectGraph&, const LessonRun& run
     const bool has_point = !shown.is_query || shown.is(Phase::query);
     const double reach = std::max(shown.is_query ? kOfBody * radius_of(points) : 0.0,
                                   has_point ? kOfDistance * shown.pair().distance() : 0.0);
-    region.solid = region_of(*region.feature, shown.told.features[region.body], points, reach);
+    region.solid = region_of(*region.feature, shown.trace.features[region.body], points, reach);
   }
   std::erase_if(out, [](const Region& region) { return region.solid.points.empty(); });
   return out;
@@ -105,7 +105,7 @@ const Layer kBehind{.effect = FeatureRegions::kName,
 
 void stage(SceneBuilder& scene) {
   const Shown shown(scene.run, scene.frame);
-  if (scene.view.kind != ViewKind::world || shown.told.pairs.empty()) return;
+  if (scene.view.kind != ViewKind::world || shown.trace.pairs.empty()) return;
   if (scene.shows(FeatureRegions::kName)) regions(scene, true);
   if (!shown.is_query) {
     if (shown.step >= 0) step_of_pair(scene, shown);
@@ -114,7 +114,7 @@ void stage(SceneBuilder& scene) {
   if (shown.step < 0 || shown.feature_index() < 0) return;
   if (shown.is(Phase::one) || shown.is(Phase::query))
     draw_feature(scene, 1, shown.feature(shown.feature_index()));
-  for (const Border& border : shown.told.borders(shown.at())) {
+  for (const Border& border : shown.trace.borders(shown.at())) {
     if (shown.is(Phase::one) && border.beyond >= 0)
       draw_neighbour(scene, 1, shown.feature(border.beyond));
   }

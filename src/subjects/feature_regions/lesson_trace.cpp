@@ -37,23 +37,23 @@ int shown_of_kind(const std::vector<Feature>& features, Kind kind, const Lesson&
 }
 
 /// In the first run regions by kind, then in each the one that holds Q.
-void tell_regions(RegionsTrace& told, const Lesson& lesson, bool is_first) {
+void tell_regions(RegionsTrace& trace, const Lesson& lesson, bool is_first) {
   for (int i = 0; is_first && i < cells::kKinds; ++i) {
     const Kind kind = static_cast<Kind>(i);
-    told.all.push_back({Phase::one, 0, 1, kind, shown_of_kind(told.features[1], kind, lesson)});
-    told.all.push_back({Phase::kind, 0, 1, kind});
+    trace.all.push_back({Phase::one, 0, 1, kind, shown_of_kind(trace.features[1], kind, lesson)});
+    trace.all.push_back({Phase::kind, 0, 1, kind});
   }
-  if (is_first) told.all.push_back({Phase::all});
-  told.all.push_back({Phase::query});
+  if (is_first) trace.all.push_back({Phase::all});
+  trace.all.push_back({Phase::query});
 }
 
 /// The first pair, from the vertices that the run starts with, unless both regions hold; then the
 /// closest points.
-void tell_pairs(RegionsTrace& told, const Lesson& lesson, const PositionedRun& run) {
+void tell_pairs(RegionsTrace& trace, const Lesson& lesson, const PositionedRun& run) {
   RegionsTrace::Pair first;
   const gjk::VertexPair start = lesson.options.start.pairs[0];
   for (const std::size_t body : {0, 1}) {
-    const std::vector<Feature>& features = told.features[body];
+    const std::vector<Feature>& features = trace.features[body];
     auto at = std::find_if(features.begin(), features.end(), [&](const Feature& feature) {
       return feature.vertices == std::vector<int>{body == 0 ? start.x : start.y};
     });
@@ -61,57 +61,57 @@ void tell_pairs(RegionsTrace& told, const Lesson& lesson, const PositionedRun& r
     first.features[body] = static_cast<int>(at - features.begin());
     first.points[body] = run.bodies[body].world[at->vertices[0]];
   }
-  told.pairs.insert(told.pairs.begin(), first);
+  trace.pairs.insert(trace.pairs.begin(), first);
   const Vector3d way = unit(first.points[1] - first.points[0]);
   for (const std::size_t body : {0, 1}) {
-    for (const Feature& feature : told.features[body]) {
+    for (const Feature& feature : trace.features[body]) {
       if (feature.kind() != Kind::vertex) continue;
       const Vector3d& vertex = run.bodies[body].world[feature.vertices[0]];
       const double depth = gjk::dot(way, Vector3d(vertex - first.points[body]));
       // More than rounding.
       if ((body == 0 ? depth : -depth) > 0x1p-46 * (vertex.norm() + first.points[body].norm()))
-        told.reaches.emplace_back(body, feature.vertices[0]);
+        trace.reaches.emplace_back(body, feature.vertices[0]);
     }
   }
   const auto is_refuted = [&](const RegionsTrace::Step& step) {
-    return told.border(step).depth(told.point(step)) < 0.0;
+    return trace.border(step).depth(trace.point(step)) < 0.0;
   };
-  if (!told.reaches.empty()) {
-    told.all.push_back({Phase::region});
-    if (!is_refuted(told.all.back())) told.all.push_back({Phase::region, 0, 0});
-    told.all.push_back({Phase::slab});
+  if (!trace.reaches.empty()) {
+    trace.all.push_back({Phase::region});
+    if (!is_refuted(trace.all.back())) trace.all.push_back({Phase::region, 0, 0});
+    trace.all.push_back({Phase::slab});
   }
   for (const std::size_t body : {1, 0}) {
-    told.all.push_back({Phase::region, 1, body});
-    told.all.push_back({Phase::plane, 1, body});
+    trace.all.push_back({Phase::region, 1, body});
+    trace.all.push_back({Phase::plane, 1, body});
   }
-  told.all.push_back({Phase::slab, 1});
-  if (!told.reaches.empty()) told.all.push_back({Phase::pair, 1});
+  trace.all.push_back({Phase::slab, 1});
+  if (!trace.reaches.empty()) trace.all.push_back({Phase::pair, 1});
 }
 
 std::shared_ptr<const AlgorithmTrace> find_regions(const Lesson& lesson, const PositionedRun& run,
                                                    const AlgorithmTrace* before) {
-  auto told = std::make_shared<RegionsTrace>();
-  if (!why_not_drawn(run).empty()) return told;
+  auto trace = std::make_shared<RegionsTrace>();
+  if (!why_not_drawn(run).empty()) return trace;
   const bool is_query = lesson.x().vertices.size() == 1;
   for (std::size_t body = is_query ? 1 : 0; body < 2; ++body) {
     const std::vector<Vector3d>& world = run.bodies[body].world;
-    told->features[body] = cells::features_of(exact_hull(world), world);
-    if (told->features[body].empty()) return told;
+    trace->features[body] = cells::features_of(exact_hull(world), world);
+    if (trace->features[body].empty()) return trace;
   }
   const WideResult& result = run.trace.result;
   const bool is_apart = result.distance > 0.0;
-  RegionsTrace::Pair& closest = told->pairs.emplace_back();
+  RegionsTrace::Pair& closest = trace->pairs.emplace_back();
   closest.points = {result.x, result.y};
   if (is_query) closest.points[0] = run.x().world[0];
   for (std::size_t body = is_query ? 1 : 0; body < 2 && is_apart; ++body)
-    closest.features[body] = cells::holding(told->features[body], closest.points[1 - body]);
+    closest.features[body] = cells::holding(trace->features[body], closest.points[1 - body]);
   if (is_query) {
-    tell_regions(*told, lesson, before == nullptr);
+    tell_regions(*trace, lesson, before == nullptr);
   } else if (is_apart) {
-    tell_pairs(*told, lesson, run);
+    tell_pairs(*trace, lesson, run);
   }
-  return told;
+  return trace;
 }
 
 }  // namespace

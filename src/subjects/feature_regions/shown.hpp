@@ -30,37 +30,37 @@ inline constexpr AskInfo kAskBefore{"before-plane", "which vertex lies before th
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(regions_trace(run.algorithm_trace(frame))),
+        trace(regions_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         is_query(run.point_query()),
         asks(frame.question >= 0),
-        step(!asks      ? std::min(frame.step, told.steps() - 1)
+        step(!asks      ? std::min(frame.step, trace.steps() - 1)
              : is_query ? -1
                         : frame.answering_step) {}
 
   const Lesson& lesson;
-  const RegionsTrace& told;
+  const RegionsTrace& trace;
   const std::vector<Body>& bodies;
   bool is_query;
   bool asks;
   int step;  ///< -1: the start, or there are no regions.
 
   // For a frame with a step
-  [[nodiscard]] const RegionsTrace::Step& at() const { return told.all[step]; }
+  [[nodiscard]] const RegionsTrace::Step& at() const { return trace.all[step]; }
   [[nodiscard]] bool is(RegionsTrace::Phase phase) const {
     return step >= 0 && at().phase == phase;
   }
   [[nodiscard]] const RegionsTrace::Pair& pair() const {
-    return told.pairs[step < 0 ? 0 : static_cast<std::size_t>(at().pair)];
+    return trace.pairs[step < 0 ? 0 : static_cast<std::size_t>(at().pair)];
   }
   /// The feature that the step is about; -1: none.
-  [[nodiscard]] int feature_index() const { return told.feature(at()); }
-  [[nodiscard]] const Feature& feature(int index) const { return told.features[at().body][index]; }
+  [[nodiscard]] int feature_index() const { return trace.feature(at()); }
+  [[nodiscard]] const Feature& feature(int index) const { return trace.features[at().body][index]; }
   [[nodiscard]] std::string name(int feature) const {
-    return told.name(lesson, at().body, feature);
+    return trace.name(lesson, at().body, feature);
   }
   /// The region holds the point that it is asked about.
-  [[nodiscard]] bool holds() const { return !(told.border(at()).depth(told.point(at())) < 0.0); }
+  [[nodiscard]] bool holds() const { return !(trace.border(at()).depth(trace.point(at())) < 0.0); }
   [[nodiscard]] const Eigen::Vector3d& vertex(std::size_t body, int index) const {
     return bodies[body].world[index];
   }
@@ -68,9 +68,9 @@ struct Shown {
   /// left, if it is the only one.
   [[nodiscard]] std::optional<std::pair<std::size_t, int>> reaching_vertex() const {
     if (at().pair > 0) return std::nullopt;
-    const std::size_t body = told.all[step - 1].body;
+    const std::size_t body = trace.all[step - 1].body;
     std::optional<std::pair<std::size_t, int>> found;
-    for (const std::pair<std::size_t, int>& each : told.reaches) {
+    for (const std::pair<std::size_t, int>& each : trace.reaches) {
       if (each.first == body && std::exchange(found, each)) return std::nullopt;
     }
     return found;

@@ -18,14 +18,14 @@ constexpr std::string_view kNoNeighbour = "none: it is in the region";
 using Words = std::pair<std::string_view, std::string_view>;
 
 Words words_of_start(const Shown& shown) {
-  if (shown.told.pairs.empty())
+  if (shown.trace.pairs.empty())
     return {"A body is flat: its points lie in one plane.",
             "Regions are those of bodies that have a volume."};
   if (shown.is_query)
     return {"Which vertex, edge or face of {y} is closest to {q}?",
             "Each of these features owns the points of space that are closest to it: its Voronoi "
             "region."};
-  if (shown.told.steps() == 0)
+  if (shown.trace.steps() == 0)
     return {"{x} and {y} overlap: the distance is 0.",
             "Regions lie outside of the bodies, and tell nothing of points within."};
   return {"x is a point of {x}, y one of {y}. Is any other pair closer?",
@@ -120,33 +120,33 @@ Words words_of(const Shown& shown) {
 
 void words(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
-  const RegionsTrace& told = shown.told;
+  const RegionsTrace& trace = shown.trace;
   std::map<std::string, std::string> values = {
       {"x", shown.lesson.x().name}, {"y", shown.lesson.y().name}, {"q", story.q}};
-  if (!told.pairs.empty()) {
+  if (!trace.pairs.empty()) {
     values["distance"] = story.numbers(shown.pair().distance());
-    values["other"] = story.numbers(told.pairs[0].distance());
+    values["other"] = story.numbers(trace.pairs[0].distance());
   }
   for (int i = 0; i < kKinds; ++i)
-    values[std::string(1, "FEV"[i])] = std::to_string(told.count(static_cast<Kind>(i)));
-  values["all"] = std::to_string(told.features[1].size());
+    values[std::string(1, "FEV"[i])] = std::to_string(trace.count(static_cast<Kind>(i)));
+  values["all"] = std::to_string(trace.features[1].size());
   if (shown.step >= 0) {
     const std::size_t body = shown.at().body;
     values["p"] = body == 1 ? "x" : "y";
     values["o"] = body == 1 ? "y" : "x";
     values["b"] = shown.lesson.bodies[body].name;
-    values["count"] = std::to_string(told.count(shown.at().kind));
+    values["count"] = std::to_string(trace.count(shown.at().kind));
     if (shown.feature_index() >= 0) {
-      const Border& tightest = told.border(shown.at());
+      const Border& tightest = trace.border(shown.at());
       values["f"] = shown.name(shown.feature_index());
-      values["n"] = std::to_string(told.borders(shown.at()).size());
+      values["n"] = std::to_string(trace.borders(shown.at()).size());
       values["beyond"] = shown.name(tightest.beyond);
-      values["depth"] = story.numbers(-tightest.depth(told.point(shown.at())));
+      values["depth"] = story.numbers(-tightest.depth(trace.point(shown.at())));
     }
   }
-  if (!told.reaches.empty()) {
+  if (!trace.reaches.empty()) {
     std::vector<std::string> names;
-    for (const auto& [body, vertex] : told.reaches)
+    for (const auto& [body, vertex] : trace.reaches)
       names.push_back(shown.lesson.bodies[body].vertex_names[vertex]);
     values["inside"] = and_list(names) + (names.size() == 1 ? " reaches" : " reach");
   }
@@ -173,8 +173,8 @@ void vertex_question(const Shown& shown, std::size_t body, std::optional<int> an
 
 void reach_question(const Shown& shown, FrameText& text) {
   const auto [body, vertex] = *shown.reaching_vertex();
-  const RegionsTrace::Step& test = shown.told.all[shown.step - 1];
-  const std::string beyond = shown.told.name(shown.lesson, body, shown.told.border(test).beyond);
+  const RegionsTrace::Step& test = shown.trace.all[shown.step - 1];
+  const std::string beyond = shown.trace.name(shown.lesson, body, shown.trace.border(test).beyond);
   const std::string_view own = body == 1 ? "y" : "x";
   const std::string_view other = body == 1 ? "x" : "y";
   vertex_question(shown, body, vertex, *text.question);
@@ -200,11 +200,11 @@ void before_question(const Shown& shown, FrameText& text) {
 
 /// Counts of planes that might have to be tested.
 void planes_question(const Shown& shown, const std::string& q, FrameText& text) {
-  const std::vector<Feature>& features = shown.told.features[1];
+  const std::vector<Feature>& features = shown.trace.features[1];
   std::size_t all = 0;
   for (const Feature& feature : features) all += feature.borders.size();
   FrameQuestion& asked = *text.question;
-  const std::size_t own = shown.told.borders(shown.at()).size();
+  const std::size_t own = shown.trace.borders(shown.at()).size();
   asked.choices = {std::to_string(own), std::to_string(features.size()), std::to_string(all)};
   asked.answer = asked.choices[0];
   asked.refuted = fmt::format(
@@ -226,7 +226,7 @@ void again_question(const Shown& shown, const std::string& q, FrameText& text) {
       shown.lesson.y().name);
   text.caption =
       fmt::format("Question: {} has moved. Which of the {} regions have to be computed again?", q,
-                  shown.told.features[1].size());
+                  shown.trace.features[1].size());
 }
 
 }  // namespace
@@ -242,7 +242,7 @@ void question(const Story& story, FrameText& text) {
   if (asked.ask == kAskPlanes.name) return planes_question(shown, story.q, text);
   if (asked.ask == kAskAgain.name) return again_question(shown, story.q, text);
   std::vector<int> choices;
-  for (const Border& border : shown.told.borders(at)) {
+  for (const Border& border : shown.trace.borders(at)) {
     if (border.beyond >= 0) choices.push_back(border.beyond);
   }
   if (shown.is_query) {
@@ -250,7 +250,7 @@ void question(const Story& story, FrameText& text) {
     choices.push_back(shown.feature_index());
     text.caption = fmt::format("Question: in the region of which feature does {} lie?", story.q);
   } else {
-    asked.answer = shown.holds() ? kNoNeighbour : shown.name(shown.told.border(at).beyond);
+    asked.answer = shown.holds() ? kNoNeighbour : shown.name(shown.trace.border(at).beyond);
     text.caption = fmt::format(
         "Question: is {} in the region of {}? If not, which neighbour's plane is it beyond?",
         at.body == 1 ? "x" : "y", shown.name(shown.feature_index()));
@@ -264,8 +264,8 @@ void values(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   text.values = {{"x", shown.lesson.x().name},
                  {"y", shown.lesson.y().name},
-                 {"regions", std::to_string(shown.told.features[1].size())},
-                 {"in slab", std::to_string(shown.told.reaches.size())}};
+                 {"regions", std::to_string(shown.trace.features[1].size())},
+                 {"in slab", std::to_string(shown.trace.reaches.size())}};
 }
 
 }  // namespace gjkscope::cells

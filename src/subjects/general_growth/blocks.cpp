@@ -14,7 +14,7 @@ constexpr double kTimeColumn = 84.0;  // width in pixels
 void method(PanelBuilder& panel, const Shown& shown, std::string name, std::string pairs,
             Times times) {
   panel.write("body", panel.left, std::move(name), type::kBody);
-  const std::optional<GrowthTimes>& all = shown.told.times;
+  const std::optional<GrowthTimes>& all = shown.trace.times;
   const double right = panel.right - (all ? kTimeColumn : 0.0);
   panel.write("code.current", right, std::move(pairs), type::kCode, Align::right);
   if (all && shown.size() < ((*all).*times).size())
@@ -26,7 +26,7 @@ void method(PanelBuilder& panel, const Shown& shown, std::string name, std::stri
 void costs(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   const general_growth::Sample& sample = shown.sample();
-  const bool has_times = shown.told.times.has_value();
+  const bool has_times = shown.trace.times.has_value();
   panel.write("heading", panel.left, "n = " + grouped(sample.segments), type::kHeading);
   panel.write("heading", panel.right - (has_times ? kTimeColumn : 0.0), "pairs", type::kHeading,
               Align::right);

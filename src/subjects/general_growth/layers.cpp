@@ -42,7 +42,7 @@ PlotSeries series(const Shown& shown, PlotStyle style, std::string name, double 
   PlotSeries out{style, std::move(name), {}};
   const int known = std::clamp(shown.over, 1, shown.sizes());
   for (int i = 0; i < known; ++i) {
-    const Sample& sample = shown.told.samples[i];
+    const Sample& sample = shown.trace.samples[i];
     if (sample.*counted >= 0.0) out.points.emplace_back(sample.segments, sample.*counted);
   }
   return out;
@@ -50,9 +50,9 @@ PlotSeries series(const Shown& shown, PlotStyle style, std::string name, double 
 
 PlotSeries series(const Shown& shown, PlotStyle style, std::string name, Times times) {
   PlotSeries out{style, std::move(name), {}};
-  const std::vector<double>& all = (*shown.told.times).*times;
+  const std::vector<double>& all = (*shown.trace.times).*times;
   for (std::size_t i = 0; i < all.size(); ++i)
-    out.points.emplace_back(shown.told.samples[i].segments, all[i]);
+    out.points.emplace_back(shown.trace.samples[i].segments, all[i]);
   return out;
 }
 
@@ -60,7 +60,7 @@ double power_of_ten_from(double value) { return std::pow(10.0, std::ceil(std::lo
 
 Plot against_segments(const Shown& shown, double most, std::string title) {
   Plot plot;
-  const double largest = shown.told.samples.back().segments;
+  const double largest = shown.trace.samples.back().segments;
   plot.x = {10.0, std::max(100.0, power_of_ten_from(largest)), true, "segments n of each outline"};
   plot.y = {1.0, std::max(100.0, power_of_ten_from(most)), true, std::move(title)};
   if (shown.is(GrowthPhase::size)) plot.current = shown.sample().segments;
@@ -68,7 +68,7 @@ Plot against_segments(const Shown& shown, double most, std::string title) {
 }
 
 Plot times_plot(const Shown& shown) {
-  const GrowthTimes& times = *shown.told.times;
+  const GrowthTimes& times = *shown.trace.times;
   Plot plot = against_segments(shown, times.pairs.back(), "nanoseconds for one distance");
   plot.y.low = 10.0;
   PlotSeries all = series(shown, PlotStyle::limit, "all n · n pairs", &GrowthTimes::pairs);
@@ -84,14 +84,14 @@ Plot times_plot(const Shown& shown) {
 /// The places that a question about a size chooses from; the frame that tells keeps them.
 void add_choices(Plot& plot, const Lesson& lesson, const Shown& shown, bool is_asked) {
   const std::size_t size = shown.size() + (is_asked ? 1 : 0);
-  const bool is_told = std::any_of(
+  const bool is_shown = std::any_of(
       lesson.questions.begin(), lesson.questions.end(), [&](const LessonQuestion& question) {
         const int number = static_cast<int>(size) + 1;
         return question.ask == kAskVisits.name && question.at.value_or(number) == number;
       });
-  if (!shown.is(GrowthPhase::size) || size == 0 || !(is_asked || is_told)) return;
-  const Sample& before = shown.told.samples[size - 1];
-  const Sample& sample = shown.told.samples[size];
+  if (!shown.is(GrowthPhase::size) || size == 0 || !(is_asked || is_shown)) return;
+  const Sample& before = shown.trace.samples[size - 1];
+  const Sample& sample = shown.trace.samples[size];
   PlotSeries places{PlotStyle::other, "", {}, PlotJoin::none};
   for (const Growing& way : ways_to_grow(before, sample)) {
     places.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(places.points.size())});
@@ -102,9 +102,9 @@ void add_choices(Plot& plot, const Lesson& lesson, const Shown& shown, bool is_a
 }
 
 Plot visits_plot(const Shown& shown) {
-  Plot plot = against_segments(shown, shown.told.samples.back().pairs(), "pairs visited");
+  Plot plot = against_segments(shown, shown.trace.samples.back().pairs(), "pairs visited");
   PlotSeries all{PlotStyle::limit, "all n · n pairs", {}, PlotJoin::lines, false};
-  for (const Sample& sample : shown.told.samples) {
+  for (const Sample& sample : shown.trace.samples) {
     if (sample.segments <= shown.sample().segments)
       all.points.emplace_back(sample.segments, sample.pairs());
   }

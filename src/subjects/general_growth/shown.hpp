@@ -27,26 +27,26 @@ struct Growing {
 /// The subject of a frame: a size, the times of all sizes, or something that Larsen says.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
-      : told(general_growth_trace(run.algorithm_trace(frame))), over(frame.step + 1) {}
+      : trace(general_growth_trace(run.algorithm_trace(frame))), over(frame.step + 1) {}
 
-  const GeneralGrowthTrace& told;
+  const GeneralGrowthTrace& trace;
   int over = 0;  ///< Steps.
 
-  [[nodiscard]] int sizes() const { return told.sizes(); }
+  [[nodiscard]] int sizes() const { return trace.sizes(); }
   [[nodiscard]] bool is(GrowthPhase phase) const {
-    return over >= 1 && over <= told.steps() && told.phase(over - 1) == phase;
+    return over >= 1 && over <= trace.steps() && trace.phase(over - 1) == phase;
   }
   /// The newest size; at the start the first.
   [[nodiscard]] std::size_t size() const {
     return static_cast<std::size_t>(std::clamp(over - 1, 0, sizes() - 1));
   }
-  [[nodiscard]] const general_growth::Sample& sample() const { return told.samples[size()]; }
+  [[nodiscard]] const general_growth::Sample& sample() const { return trace.samples[size()]; }
   /// The number of the claim, from 1.
-  [[nodiscard]] int claim_number() const { return over - (told.steps() - kClaims); }
+  [[nodiscard]] int claim_number() const { return over - (trace.steps() - kClaims); }
   [[nodiscard]] Claim claim() const { return static_cast<Claim>(claim_number() - 1); }
   /// The plot is of times: where they are what the frame is about.
   [[nodiscard]] bool plots_times() const {
-    return told.times &&
+    return trace.times &&
            (is(GrowthPhase::time) || (is(GrowthPhase::claim) && (claim() == Claim::brute_force ||
                                                                  claim() == Claim::spheres)));
   }

@@ -29,12 +29,12 @@ std::string_view said(Claim claim) {
 }
 
 std::string verdict(const Shown& shown) {
-  return shown.told.agrees(shown.claim()) ? "It agrees." : "It does not agree here.";
+  return shown.trace.agrees(shown.claim()) ? "It agrees." : "It does not agree here.";
 }
 
 void claim(const Shown& shown, FrameText& text) {
-  const Sample& last = shown.told.samples.back();
-  const std::optional<GrowthTimes>& times = shown.told.times;
+  const Sample& last = shown.trace.samples.back();
+  const std::optional<GrowthTimes>& times = shown.trace.times;
   const std::string n = grouped(last.segments);
   switch (shown.claim()) {
     case Claim::brute_force:
@@ -81,17 +81,17 @@ void claim(const Shown& shown, FrameText& text) {
 /// "30", the first number of segments from which on building two trees and asking them once is
 /// faster than all pairs.
 std::string repays_from(const Shown& shown) {
-  const GrowthTimes& times = *shown.told.times;
+  const GrowthTimes& times = *shown.trace.times;
   std::size_t first = times.pairs.size();
   while (first > 0 && times.build[first - 1] + times.boxes[first - 1] < times.pairs[first - 1])
     --first;
-  return first == times.pairs.size() ? "" : grouped(shown.told.samples[first].segments);
+  return first == times.pairs.size() ? "" : grouped(shown.trace.samples[first].segments);
 }
 
 void times(const Shown& shown, FrameText& text) {
-  const GrowthTimes& times = *shown.told.times;
+  const GrowthTimes& times = *shown.trace.times;
   text.caption = fmt::format("n = {}: all pairs take {}, trees of boxes {}.",
-                             grouped(shown.told.samples.back().segments),
+                             grouped(shown.trace.samples.back().segments),
                              time_text(times.pairs.back()), time_text(times.boxes.back()));
   const std::string from = repays_from(shown);
   text.detail =
@@ -126,7 +126,7 @@ void words(const Story& story, FrameText& text) {
         fmt::format("n = {}: {} pairs of segments. Trees of boxes visit {} pairs of boxes.",
                     grouped(sample.segments), grouped(sample.pairs()), grouped(sample.boxes));
     text.detail = fmt::format("Trees of circles visit {}. ", grouped(sample.circles));
-    const Sample* last = shown.size() == 0 ? nullptr : &shown.told.samples[shown.size() - 1];
+    const Sample* last = shown.size() == 0 ? nullptr : &shown.trace.samples[shown.size() - 1];
     if (sample.pieces >= 0.0) {
       text.detail +=
           fmt::format("Convex pieces: pairs that need a run of GJK: {}.", grouped(sample.pieces));
@@ -144,7 +144,7 @@ void words(const Story& story, FrameText& text) {
   } else if (shown.is(GrowthPhase::claim)) {
     claim(shown, text);
   } else {
-    const Sample& first = shown.told.samples.front();
+    const Sample& first = shown.trace.samples.front();
     text.caption =
         fmt::format("From n = {} to {} pairs grow {}, visits {}.", grouped(first.segments),
                     grouped(sample.segments), grouped(sample.pairs() / first.pairs()) + " times",
@@ -161,8 +161,8 @@ void question(const Story& story, FrameText& text) {
   asked.ask = story.run.asked(story.frame).ask;
   const auto answer = static_cast<std::size_t>(story.frame.answering_step);
   if (asked.ask == kAskVisits.name) {
-    const Sample& sample = before.told.samples[answer];
-    const Sample& last = before.told.samples[answer - 1];
+    const Sample& sample = before.trace.samples[answer];
+    const Sample& last = before.trace.samples[answer - 1];
     const std::array<Growing, 3> ways = ways_to_grow(last, sample);
     const auto off = [&](const Growing& way) {
       return std::abs(std::log(sample.boxes / last.boxes / way.ratio));
@@ -179,9 +179,9 @@ void question(const Story& story, FrameText& text) {
         grouped(last.segments), grouped(sample.segments));
   } else {
     const auto claim =
-        static_cast<Claim>(static_cast<int>(answer) - (before.told.steps() - kClaims));
+        static_cast<Claim>(static_cast<int>(answer) - (before.trace.steps() - kClaims));
     asked.choices = {"yes", "no"};
-    asked.answer = asked.choices[before.told.agrees(claim) ? 0 : 1];
+    asked.answer = asked.choices[before.trace.agrees(claim) ? 0 : 1];
     text.caption =
         fmt::format("Question: Larsen says in 1998 that {}. Does it agree with what was measured?",
                     said(claim));

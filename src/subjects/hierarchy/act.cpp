@@ -95,8 +95,8 @@ bool is_introduced(const Lesson& lesson, long visit) {
 }
 
 /// The visit that ends with step `i` comes to the same as the next one, whose frame tells of both.
-bool is_told_with_the_next(const Lesson& lesson, const std::vector<SearchStep>& steps,
-                           std::size_t i) {
+bool is_explained_with_the_next(const Lesson& lesson, const std::vector<SearchStep>& steps,
+                                std::size_t i) {
   const auto next = std::find_if(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(),
                                  [](const SearchStep& step) { return ends_visit(step); });
   const auto is_same_again = [&](const SearchStep& step) {
@@ -126,10 +126,11 @@ void add_frames(LessonRun& run, int index) {
     const bool is_new_hit = step.record.hit && step.after.hits <= kMostHits;
     const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better &&
                             !is_new_hit && !asks_about_halves(run.lesson, visit + 1);
-    const bool is_told_later =
-        !is_long && is_told_with_the_next(run.lesson, trace.steps, static_cast<std::size_t>(i));
+    const bool is_explained_later =
+        !is_long &&
+        is_explained_with_the_next(run.lesson, trace.steps, static_cast<std::size_t>(i));
     if (step.phase == SearchPhase::contain || (begins_visit && is_introduced(run.lesson, visit)) ||
-        (ends_visit(step) && !is_between && !is_told_later))
+        (ends_visit(step) && !is_between && !is_explained_later))
       add(i + 1);
   }
   add(static_cast<int>(trace.steps.size()) + 1);

@@ -33,10 +33,10 @@ constexpr int kMostTiles = 64;
 
 class LessonTrace : public OutlineTrace {
  public:
-  LessonTrace(std::optional<Refusal> refused, SearchTold search)
+  LessonTrace(std::optional<Refusal> refused, TracedSearch search)
       : OutlineTrace(refused), search_(std::move(search)) {}
 
-  [[nodiscard]] const SearchTold& search() const { return search_; }
+  [[nodiscard]] const TracedSearch& search() const { return search_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(search_.trace.steps.size()); }
   [[nodiscard]] StepInfo info(int index) const override {
     const models::SearchStep& step = search_.trace.steps[index];
@@ -104,11 +104,11 @@ class LessonTrace : public OutlineTrace {
     return {{"node", index}, {"segments", node.count}};
   }
 
-  SearchTold search_;
+  TracedSearch search_;
 };
 
 template <class V>
-std::vector<TreeNode> told_nodes(const models::Hierarchy<V>& tree) {
+std::vector<TreeNode> tree_nodes(const models::Hierarchy<V>& tree) {
   std::vector<TreeNode> out;
   out.reserve(tree.nodes.size());
   for (const models::Node<V>& node : tree.nodes)
@@ -117,39 +117,39 @@ std::vector<TreeNode> told_nodes(const models::Hierarchy<V>& tree) {
 }
 
 template <class V>
-void run_search(SearchTold& told, const models::Hierarchy<V>& tree_x,
+void run_search(TracedSearch& traced, const models::Hierarchy<V>& tree_x,
                 const models::Hierarchy<V>& tree_y) {
-  const models::SearchQuery<V> query{told.x, told.y, tree_x, tree_y};
-  told.trace = models::trace_search(query, told.options);
-  told.tree_x = told_nodes(tree_x);
-  told.tree_y = told_nodes(tree_y);
-  if (told.options.goal == Goal::collide) return;
-  models::SearchOptions left_first = told.options;
+  const models::SearchQuery<V> query{traced.x, traced.y, tree_x, tree_y};
+  traced.trace = models::trace_search(query, traced.options);
+  traced.tree_x = tree_nodes(tree_x);
+  traced.tree_y = tree_nodes(tree_y);
+  if (traced.options.goal == Goal::collide) return;
+  models::SearchOptions left_first = traced.options;
   left_first.nearer_first = false;
-  told.left_first = models::trace_search(query, left_first);
+  traced.left_first = models::trace_search(query, left_first);
 }
 
 std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const PositionedRun& run,
                                                     const AlgorithmTrace* before, Goal goal) {
-  SearchTold told;
+  TracedSearch traced;
   OutlinesOfRun outlines = outlines_of(lesson, run);
   const std::optional<Refusal> refused = refusal_of(outlines, models::Needs::segments);
-  told.x = std::move(outlines.x);
-  told.y = std::move(outlines.y);
-  told.refusal = refused;
-  if (refused) return std::make_shared<const LessonTrace>(refused, std::move(told));
-  told.options.goal = goal;
+  traced.x = std::move(outlines.x);
+  traced.y = std::move(outlines.y);
+  traced.refusal = refused;
+  if (refused) return std::make_shared<const LessonTrace>(refused, std::move(traced));
+  traced.options.goal = goal;
   // Larsen's listing descends into A first, left child first.
-  told.options.nearer_first = goal == Goal::distance;
-  told.options.larger_first = goal == Goal::distance;
+  traced.options.nearer_first = goal == Goal::distance;
+  traced.options.larger_first = goal == Goal::distance;
   if (lesson.warm_start && before != nullptr) {
     const models::SearchTrace& last = static_cast<const LessonTrace&>(*before).search().trace;
-    if (last.result.segments.first >= 0) told.options.remembered = last.result.segments;
+    if (last.result.segments.first >= 0) traced.options.remembered = last.result.segments;
   }
   const LessonTrees trees = trees_of(lesson);
   const auto search = [&]<class V>(std::type_identity<V>, const auto& items) {
-    run_search<V>(told, models::build_hierarchy<V>(items(told.x)),
-                  models::build_hierarchy<V>(items(told.y)));
+    run_search<V>(traced, models::build_hierarchy<V>(items(traced.x)),
+                  models::build_hierarchy<V>(items(traced.y)));
   };
   const auto tiles = [&](const models::Model& model) {
     return models::tiles_of(model, trees.tile, kMostTiles);
@@ -162,12 +162,12 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
       search(std::type_identity<models::Circle>{}, models::items_of);
       break;
     case VolumeKind::tiles:
-      told.options.table = true;
-      told.options.relative_error = lesson.options.tolerance;
+      traced.options.table = true;
+      traced.options.relative_error = lesson.options.tolerance;
       search(std::type_identity<models::Circle>{}, tiles);
       break;
   }
-  return std::make_shared<const LessonTrace>(std::nullopt, std::move(told));
+  return std::make_shared<const LessonTrace>(std::nullopt, std::move(traced));
 }
 
 template <Goal goal>
@@ -198,7 +198,7 @@ const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
                                    .takes_outlines = true,
                                    .stops = std::span(kStops).subspan(1)};
 
-const SearchTold* search_trace(const LessonRun& run, int index) {
+const TracedSearch* search_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kHierarchyCollide && run.act->algorithm != &kHierarchyDistance)
     return nullptr;
   return &static_cast<const LessonTrace&>(*run.algorithm_traces[index]).search();

@@ -1,6 +1,6 @@
 #pragma once
 // The walk over two trees of bounding volumes (outlines/search.hpp) as the algorithm of a lesson:
-// over the segments of two shapes as a run places them, told as JSON and as text.
+// over the segments of two shapes as a run places them, and as JSON and text.
 
 #include <array>
 #include <variant>
@@ -17,7 +17,7 @@ using Volume = std::variant<models::Box, models::Circle>;
 using TreeNode = models::Node<Volume>;
 
 /// The trace of a search with the shapes of one run. A is X, B is Y.
-struct SearchTold {
+struct TracedSearch {
   models::Model x;
   models::Model y;
   std::vector<TreeNode> tree_x;
@@ -41,7 +41,7 @@ extern const Algorithm kHierarchyCollide;
 extern const Algorithm kHierarchyDistance;
 
 /// The search of run `index`; nullptr where the lesson shows another algorithm.
-[[nodiscard]] const SearchTold* search_trace(const LessonRun& run, int index);
+[[nodiscard]] const TracedSearch* search_trace(const LessonRun& run, int index);
 
 /// "descend"
 [[nodiscard]] std::string_view name_of(models::SearchPhase phase);

@@ -47,7 +47,7 @@ struct Shown {
   Shown(const LessonRun& run, const Frame& frame);
 
   const Lesson& lesson;
-  const SearchTold& search;
+  const TracedSearch& search;
   int over = 0;                              ///< Steps that are over.
   const models::SearchStep* step = nullptr;  ///< The last of them; none at the start.
   const models::SearchState& state;          ///< The state after that step.
@@ -106,7 +106,7 @@ extern const Block kOrderCounters;
 // stage.cpp
 void stage(SceneBuilder& scene);
 /// The closest points of two segments, a line between them, and its length after `before`.
-void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::Nearest& pair,
+void shortest_way(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
                   const std::string& role, const std::string& id, const std::string& before);
 
 // tree.cpp

@@ -220,7 +220,7 @@ class Stage {
 
 }  // namespace
 
-void shortest_way(SceneBuilder& scene, const SearchTold& search, const models::Nearest& pair,
+void shortest_way(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
                   const std::string& role, const std::string& id, const std::string& before) {
   const models::Answer closest = models::answer_of(pair, search.x, search.y);
   const Point x = scene.at(closest.a);

@@ -37,7 +37,7 @@ class Telling {
       case SearchPhase::contain:
         return contain();
     }
-    visits_told_along();
+    visits_before();
   }
 
  private:
@@ -52,14 +52,14 @@ class Telling {
   }
 
   /// Visits since the last frame that have none, because they ended as this one does.
-  void visits_told_along() {
+  void visits_before() {
     if (shown_.search.trace.result.visits > kMostVisits) return;
-    long told = 0;
+    long trace = 0;
     for (const Frame& frame : story_.run.frames) {
       if (frame.run == story_.frame.run && frame.step < story_.frame.step)
-        told = Shown(story_.run, frame).state.visits;
+        trace = Shown(story_.run, frame).state.visits;
     }
-    const long along = shown_.state.visits - told - 1;
+    const long along = shown_.state.visits - trace - 1;
     if (along == 1) text_.detail += " The visit before it ended the same way.";
     if (along > 1)
       text_.detail += fmt::format(" The {} visits before it ended the same way.", along);

@@ -55,12 +55,12 @@ std::string position(const LessonRun& run, int index) {
   if (after_of(run, frame)) return fmt::format("outcome · {} of {}", index + 1, run.frames.size());
   if (shown.step < 0) return "start";
   if (shown.is_answer) return fmt::format("answer · {} of {}", index + 1, run.frames.size());
-  const int walk = shown.told.all[shown.step].climb + 1;
+  const int walk = shown.trace.all[shown.step].climb + 1;
   const std::string at = fmt::format("at {}", shown.name(shown.look().at));
   if (run.runs.size() > 1) return fmt::format("{} · {}", position_on_path(run, index), at);
   return asks_later(run, index)
              ? fmt::format("walk {} · {}", walk, at)
-             : fmt::format("walk {} of {} · {}", walk, shown.told.climbs.size(), at);
+             : fmt::format("walk {} of {} · {}", walk, shown.trace.climbs.size(), at);
 }
 
 Tick tick(const LessonRun& run, const Frame& frame) {
@@ -74,7 +74,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
             .label = "answer",
             .short_label = "end",
             .event = true};
-  const int walk = shown.told.all[shown.step].climb + 1;
+  const int walk = shown.trace.all[shown.step].climb + 1;
   const bool stops = shown.look().next < 0;
   const std::string& at = shown.name(shown.look().at);
   return {.group = group_of_position(run, frame, fmt::format("walk {}", walk)),

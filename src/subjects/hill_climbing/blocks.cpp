@@ -64,10 +64,10 @@ void climb(PanelBuilder& panel) {
     panel.rule();
   }
   panel.heading("Dot products");
-  const ClimbTrace& told = shown.told;
+  const ClimbTrace& trace = shown.trace;
   if (shown.step < 0 || shown.is_answer) {
-    for (std::size_t i = 0; i < told.climbs.size() && shown.is_answer; ++i) {
-      const Climb& each = told.climbs[i];
+    for (std::size_t i = 0; i < trace.climbs.size() && shown.is_answer; ++i) {
+      const Climb& each = trace.climbs[i];
       const Body& body = shown.bodies[each.of_x ? 0 : 1];
       const LessonShape& shape = panel.run.lesson.bodies[each.of_x ? 0 : 1];
       panel.row(fmt::format("walk {} to {}", i + 1, shape.vertex_names[each.walk.end()]),
@@ -75,12 +75,12 @@ void climb(PanelBuilder& panel) {
       constexpr std::size_t kMost = 8;
       if (i + 1 == kMost) break;
     }
-    panel.row("all walks", std::to_string(shown.is_answer ? told.walked(told.steps()) : 0));
-    if (shown.is_answer) panel.row("all scans", std::to_string(told.scanned));
+    panel.row("all walks", std::to_string(shown.is_answer ? trace.walked(trace.steps()) : 0));
+    if (shown.is_answer) panel.row("all scans", std::to_string(trace.scanned));
     return;
   }
   panel.row("this walk", std::to_string(shown.products()));
-  panel.row("all walks by now", std::to_string(told.walked(shown.over())));
+  panel.row("all walks by now", std::to_string(trace.walked(shown.over())));
   panel.row("a scan", std::to_string(shown.bodies[shown.body()].world.size()));
 }
 

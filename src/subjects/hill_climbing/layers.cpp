@@ -58,7 +58,7 @@ void step(SceneBuilder& scene, const Shown& shown) {
     scene.add(is_behind(scene, shown, look.at, end) ? "climb.edge.hidden" : "climb.edge",
               Polyline{{now, scene.at(shown.at(end))}});
   }
-  way(scene, shown, shown.climb().walk, shown.told.all[shown.step].look + 1);
+  way(scene, shown, shown.climb().walk, shown.trace.all[shown.step].look + 1);
   if (!shown.asks && look.next >= 0) scene.arrow("climb.move", now, scene.at(shown.at(look.next)));
   if (look.next < 0 && !shown.asks) {
     scene.diamond("support.vertex", now, kSupportRadius, shown.subject(look.at));
@@ -94,7 +94,7 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
 
 void stage(SceneBuilder& scene) {
   const Shown shown(scene.run, scene.frame);
-  if (scene.view.kind != ViewKind::world || shown.told.steps() == 0) return;
+  if (scene.view.kind != ViewKind::world || shown.trace.steps() == 0) return;
   if (shown.is_answer && !shown.asks) return all_walks(scene, scene.frame);
   if (shown.step >= 0) return step(scene, shown);
   const Shown first(scene.run, {.run = scene.frame.run, .step = 0});

@@ -23,12 +23,12 @@ std::size_t body_of(const Climb& climb) { return climb.of_x ? 0 : 1; }
 
 std::shared_ptr<const AlgorithmTrace> run_walks(const Lesson& lesson, const PositionedRun& run,
                                                 const AlgorithmTrace* before) {
-  auto told = std::make_shared<ClimbTrace>();
-  if (!why_not_drawn(run).empty()) return told;
+  auto trace = std::make_shared<ClimbTrace>();
+  if (!why_not_drawn(run).empty()) return trace;
   const gjk::VertexPair first = run.trace.initial.simplex.vertices[0].pair;
   std::array<int, 2> at = {first.x, first.y};
   for (std::size_t body = 0; body < 2; ++body)
-    told->neighbours[body] =
+    trace->neighbours[body] =
         neighbours_of(exact_hull(run.bodies[body].world), run.bodies[body].world.size());
   if (lesson.warm_start && before != nullptr) {
     for (const Climb& climb : climbs_trace(*before).climbs) at[body_of(climb)] = climb.walk.end();
@@ -38,7 +38,7 @@ std::shared_ptr<const AlgorithmTrace> run_walks(const Lesson& lesson, const Posi
     for (const std::size_t body : {1, 0}) {
       const std::vector<Vector3d>& points = run.bodies[body].world;
       if (points.size() == 1) continue;
-      const climbing::Neighbours& neighbours = told->neighbours[body];
+      const climbing::Neighbours& neighbours = trace->neighbours[body];
       const Vector3d d = body == 1 ? step.after.d : Vector3d(-step.after.d);
       const gjk::VertexPair& found = step.after.support.pair;
       Climb climb{step.iteration, body == 0,
@@ -46,12 +46,12 @@ std::shared_ptr<const AlgorithmTrace> run_walks(const Lesson& lesson, const Posi
                   body == 0 ? found.x : found.y};
       at[body] = climb.walk.end();
       for (std::size_t i = 0; i < climb.walk.looks.size(); ++i)
-        told->all.push_back({static_cast<int>(told->climbs.size()), static_cast<int>(i)});
-      told->scanned += static_cast<int>(points.size());
-      told->climbs.push_back(std::move(climb));
+        trace->all.push_back({static_cast<int>(trace->climbs.size()), static_cast<int>(i)});
+      trace->scanned += static_cast<int>(points.size());
+      trace->climbs.push_back(std::move(climb));
     }
   }
-  return told;
+  return trace;
 }
 
 }  // namespace

@@ -18,23 +18,23 @@ enum class After { growth, needs };
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(climbs_trace(run.algorithm_trace(frame))),
+        trace(climbs_trace(run.algorithm_trace(frame))),
         bodies(run.run(frame).bodies),
         asks(frame.question >= 0),
-        is_answer(frame.step >= told.steps()),
-        step(asks ? frame.answering_step : std::min(frame.step, told.steps() - 1)) {}
+        is_answer(frame.step >= trace.steps()),
+        step(asks ? frame.answering_step : std::min(frame.step, trace.steps() - 1)) {}
 
   const Lesson& lesson;
-  const ClimbTrace& told;
+  const ClimbTrace& trace;
   const std::vector<Body>& bodies;
   bool asks;
   bool is_answer;  ///< All walks are over.
   int step;        ///< -1: the start, or there are no walks.
 
   // For a frame with a step
-  [[nodiscard]] const Climb& climb() const { return told.climb(step); }
-  [[nodiscard]] const climbing::Look& look() const { return told.look(step); }
-  [[nodiscard]] bool is_first() const { return told.all[step].look == 0; }
+  [[nodiscard]] const Climb& climb() const { return trace.climb(step); }
+  [[nodiscard]] const climbing::Look& look() const { return trace.look(step); }
+  [[nodiscard]] bool is_first() const { return trace.all[step].look == 0; }
   [[nodiscard]] std::size_t body() const { return climb().of_x ? 0 : 1; }
   [[nodiscard]] const LessonShape& shape() const { return lesson.bodies[body()]; }
   [[nodiscard]] const std::string& name(int vertex) const { return shape().vertex_names[vertex]; }
@@ -50,11 +50,11 @@ struct Shown {
     return gjk::dot<double, 3>(climb().walk.d, at(vertex));
   }
   [[nodiscard]] const std::vector<int>& neighbours() const {
-    return told.neighbours[body()][look().at];
+    return trace.neighbours[body()][look().at];
   }
   /// Dot products of the current walk by now.
   [[nodiscard]] int products() const {
-    return told.walked(over()) - told.walked(step - told.all[step].look);
+    return trace.walked(over()) - trace.walked(step - trace.all[step].look);
   }
   /// Steps that are over.
   [[nodiscard]] int over() const { return asks ? step : step + 1; }

@@ -15,12 +15,12 @@ std::string counted(std::size_t count, std::string_view what) {
 
 void start(const Shown& shown, FrameText& text) {
   const Lesson& lesson = shown.lesson;
-  if (shown.told.steps() == 0) {
+  if (shown.trace.steps() == 0) {
     text.caption = "GJK asks for no support point, so there is no walk.";
     text.detail = "It ends at the simplex that it starts with, or both shapes are points.";
     return;
   }
-  const Climb& first = shown.told.climbs.front();
+  const Climb& first = shown.trace.climbs.front();
   const LessonShape& shape = lesson.bodies[first.of_x ? 0 : 1];
   text.caption = fmt::format("GJK needs support points of {}. A scan looks at all {} vertices.",
                              shape.name, shape.vertices.size());
@@ -90,12 +90,12 @@ void stop(const Shown& shown, FrameText& text) {
 }
 
 void answer(const Shown& shown, FrameText& text) {
-  const ClimbTrace& told = shown.told;
+  const ClimbTrace& trace = shown.trace;
   text.caption =
-      fmt::format("{} computed {}, scans {}.", capitalized(counted(told.climbs.size(), "walk")),
-                  counted(told.walked(told.steps()), "dot product"), told.scanned);
-  const int first = told.climbs.front().walk.products();
-  const int last = told.climbs.back().walk.products();
+      fmt::format("{} computed {}, scans {}.", capitalized(counted(trace.climbs.size(), "walk")),
+                  counted(trace.walked(trace.steps()), "dot product"), trace.scanned);
+  const int first = trace.climbs.front().walk.products();
+  const int last = trace.climbs.back().walk.products();
   text.detail = first > last
                     ? fmt::format(
                           "The first walk took {}, the last {}: it starts where the walk before "
@@ -157,15 +157,15 @@ void values(const Story& story, FrameText& text) {
   };
   put("x", story.run.lesson.x().name);
   put("y", story.run.lesson.y().name);
-  if (shown.told.steps() == 0 || shown.step < 0) return;
+  if (shown.trace.steps() == 0 || shown.step < 0) return;
   int scanned = 0;
-  const int climbs = shown.told.all[shown.step].climb + 1;
+  const int climbs = shown.trace.all[shown.step].climb + 1;
   for (int i = 0; i < climbs; ++i) {
-    const Climb& each = shown.told.climbs[i];
+    const Climb& each = shown.trace.climbs[i];
     scanned += static_cast<int>(shown.bodies[each.of_x ? 0 : 1].world.size());
   }
   put("at", shown.name(shown.look().at));
-  put("walked", std::to_string(shown.told.walked(shown.over())));
+  put("walked", std::to_string(shown.trace.walked(shown.over())));
   put("scanned", std::to_string(scanned));
 }
 

@@ -29,9 +29,9 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
 
 class LessonTrace : public AlgorithmTrace {
  public:
-  explicit LessonTrace(WalkTold walk) : walk_(std::move(walk)) {}
+  explicit LessonTrace(TracedWalk walk) : walk_(std::move(walk)) {}
 
-  [[nodiscard]] const WalkTold& walk() const { return walk_; }
+  [[nodiscard]] const TracedWalk& walk() const { return walk_; }
   [[nodiscard]] int steps() const override { return static_cast<int>(walk_.trace.steps.size()); }
   [[nodiscard]] StepInfo info(int index) const override {
     const models::WalkStep& step = walk_.trace.steps[index];
@@ -86,7 +86,7 @@ class LessonTrace : public AlgorithmTrace {
     return out;
   }
 
-  WalkTold walk_;
+  TracedWalk walk_;
 };
 
 std::string text(const Json& document, const Json& trace) {
@@ -116,7 +116,7 @@ std::string text(const Json& document, const Json& trace) {
   return out + line("on " + values.y, values.point(trace["closest_y"]));
 }
 
-const WalkTold& walk_of(const AlgorithmTrace& trace) {
+const TracedWalk& walk_of(const AlgorithmTrace& trace) {
   return static_cast<const LessonTrace&>(trace).walk();
 }
 
@@ -129,29 +129,29 @@ models::RingFeature vertex_of(const models::Ring& ring, int vertex) {
 /// Convex polygons are walked on in any case; others, too: the walk says where it is stuck.
 std::shared_ptr<const AlgorithmTrace> run_walk(const Lesson& lesson, const PositionedRun& run,
                                                const AlgorithmTrace* before) {
-  WalkTold told;
+  TracedWalk walk;
   const auto [x, y] = outlines_of(lesson, run);
   for (const models::Model* model : {&x, &y}) {
     models::Flaw flaw = models::check(model->outlines, models::Needs::simple);
     if (flaw.fault == models::Fault::none && model->outlines.size() > 1)
       flaw = {models::Fault::several_outlines, 1};
     if (flaw.fault == models::Fault::none) continue;
-    told.trace.result.stop = WalkStop::refused;
-    told.trace.result.flaw = flaw;
-    told.trace.result.flaw_in_b = model == &y;
-    return std::make_shared<const LessonTrace>(std::move(told));
+    walk.trace.result.stop = WalkStop::refused;
+    walk.trace.result.flaw = flaw;
+    walk.trace.result.flaw_in_b = model == &y;
+    return std::make_shared<const LessonTrace>(std::move(walk));
   }
-  told.query = models::walk_query(x, y);
+  walk.query = models::walk_query(x, y);
   const gjk::VertexPair start = lesson.options.start.pairs[0];
-  models::RingFeature a = vertex_of(told.query->a, start.x);
-  models::RingFeature b = vertex_of(told.query->b, start.y);
+  models::RingFeature a = vertex_of(walk.query->a, start.x);
+  models::RingFeature b = vertex_of(walk.query->b, start.y);
   if (lesson.warm_start && before != nullptr && walk_of(*before).query) {
     a = walk_of(*before).trace.result.a;
     b = walk_of(*before).trace.result.b;
   }
-  told.trace = models::trace_walk(*told.query, a, b);
-  if (told.trace.result.stop == WalkStop::local_minimum) told.truth = models::brute(x, y).answer;
-  return std::make_shared<const LessonTrace>(std::move(told));
+  walk.trace = models::trace_walk(*walk.query, a, b);
+  if (walk.trace.result.stop == WalkStop::local_minimum) walk.truth = models::brute(x, y).answer;
+  return std::make_shared<const LessonTrace>(std::move(walk));
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
                                    .stops = std::span(kStops).subspan(1),
                                    .text = text};
 
-const WalkTold* walk_trace(const LessonRun& run, int index) {
+const TracedWalk* walk_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;
   return &walk_of(*run.algorithm_traces[index]);
 }

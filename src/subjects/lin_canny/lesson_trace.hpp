@@ -1,6 +1,6 @@
 #pragma once
 // The walk on features (outlines/lin_canny.hpp) as the algorithm of a lesson: on the vertices of
-// two polygons as a run places them, told as JSON and as text.
+// two polygons as a run places them, and as JSON and text.
 
 #include <optional>
 
@@ -11,7 +11,7 @@
 namespace gjkscope {
 
 /// The trace of the walk with the polygons of one run.
-struct WalkTold {
+struct TracedWalk {
   std::optional<models::WalkQuery> query;  ///< A is X, B is Y; none where they are refused.
   models::WalkTrace trace;
   std::optional<models::Answer> truth;  ///< For a walk that is stuck in a local minimum.
@@ -20,7 +20,7 @@ struct WalkTold {
 extern const Algorithm kLinCannyAlgorithm;
 
 /// The walk of run `index`; nullptr where the lesson shows another algorithm.
-[[nodiscard]] const WalkTold* walk_trace(const LessonRun& run, int index);
+[[nodiscard]] const TracedWalk* walk_trace(const LessonRun& run, int index);
 
 /// "vertex C of X", "edge KL of Y"
 [[nodiscard]] std::string feature_name(const Lesson& lesson, const models::WalkQuery& query,

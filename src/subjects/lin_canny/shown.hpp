@@ -33,7 +33,7 @@ struct Shown {
   Shown(const LessonRun& run, const Frame& frame);
 
   const Lesson& lesson;
-  const WalkTold& walk;
+  const TracedWalk& walk;
   const models::WalkStep* step = nullptr;  ///< The last that is over; none at the start.
   const models::WalkState& state;          ///< The state after that step.
   bool is_answer = false;                  ///< The frame after the last step.

@@ -12,7 +12,7 @@
 namespace gjkscope::methods {
 namespace {
 
-const MethodsTold& told(const LessonRun& run, const Frame& frame) {
+const MethodsTrace& trace_at(const LessonRun& run, const Frame& frame) {
   return *methods_trace(run, frame.run);
 }
 
@@ -22,12 +22,12 @@ bool asks_first(const Frame& frame) { return frame.step < 0; }
 bool is_sum(const Frame& frame) { return frame.step > 0; }
 
 /// The number of positions whose counts a frame shows.
-int positions_told(const Frame& frame) { return frame.run + (asks_first(frame) ? 0 : 1); }
+int positions_shown(const Frame& frame) { return frame.run + (asks_first(frame) ? 0 : 1); }
 
 /// The sum over them.
 long total(const LessonRun& run, const Frame& frame, Method method) {
   long sum = 0;
-  for (int i = 0; i < positions_told(frame); ++i) sum += methods_trace(run, i)->at(method);
+  for (int i = 0; i < positions_shown(frame); ++i) sum += methods_trace(run, i)->at(method);
   return sum;
 }
 
@@ -53,7 +53,7 @@ Tick tick(const LessonRun&, const Frame& frame) {
 }
 
 void words(const Story& story, FrameText& text) {
-  const MethodsTold& at = told(story.run, story.frame);
+  const MethodsTrace& at = trace_at(story.run, story.frame);
   const Lesson& lesson = story.run.lesson;
   if (at.is_refused()) {
     text.caption = fmt::format("Not all methods take {}.", words_of(*at.refusal, lesson));
@@ -103,10 +103,10 @@ constexpr std::array kAsks = {kAskFront, kAskMemory, asks::kClosestX};
 /// A position answers, from the second on, or the sum.
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
-  if (told(run, frame).is_refused()) return -1;
+  if (trace_at(run, frame).is_refused()) return -1;
   if (question.ask == kAskMemory.name) return is_sum(frame) && !question.at ? 0 : -1;
   const bool is_open =
-      question.ask == kAskFront.name ? frame.run > 0 : told(run, frame).answer.distance > 0.0;
+      question.ask == kAskFront.name ? frame.run > 0 : trace_at(run, frame).answer.distance > 0.0;
   return !is_sum(frame) && is_open && is_at(frame, question) ? 0 : -1;
 }
 
@@ -114,7 +114,7 @@ Frame asking(const LessonRun&, const Frame& frame) {
   return {.run = frame.run, .step = is_sum(frame) ? 0 : -1};
 }
 
-void ask_about_front(const MethodsTold& at, FrameText& text, FrameQuestion& asked) {
+void ask_about_front(const MethodsTrace& at, FrameText& text, FrameQuestion& asked) {
   const long front = at.at(Method::tree_front);
   const long roots = at.at(Method::tree_cold);
   asked.choices = {"fewer", "as many", "more"};
@@ -149,7 +149,7 @@ struct ChoiceOfX {
 
 /// Some vertices and edges of X in a row, the closest among them: its place differs.
 std::vector<ChoiceOfX> choices_of_x(const LessonRun& run, const Frame& frame) {
-  const models::Feature& closest = told(run, frame).answer.on_a;
+  const models::Feature& closest = trace_at(run, frame).answer.on_a;
   const int count = static_cast<int>(run.lesson.x().vertices.size());
   const int choices = std::min(7, 2 * count);
   // Feature 2i is vertex i, 2i + 1 the edge after it.
@@ -173,7 +173,7 @@ void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) 
     asked.spots.emplace_back(Spot(ViewKind::world, points[from], points[to]));
     if (choice.is_closest) asked.answer = asked.choices.back();
   }
-  asked.place = told(story.run, story.frame).answer.a;
+  asked.place = trace_at(story.run, story.frame).answer.a;
   text.caption = fmt::format(
       "Question: both have moved on. Which point of {} is closest to {} here? Point at it.",
       story.run.lesson.x().name, story.run.lesson.y().name);
@@ -183,7 +183,7 @@ void question(const Story& story, FrameText& text) {
   FrameQuestion& asked = text.question.emplace();
   asked.ask = story.run.asked(story.frame).ask;
   if (asked.ask == kAskFront.name) {
-    ask_about_front(told(story.run, story.frame), text, asked);
+    ask_about_front(trace_at(story.run, story.frame), text, asked);
   } else if (asked.ask != kAskMemory.name) {
     ask_for_closest(story, text, asked);
   } else {
@@ -192,7 +192,7 @@ void question(const Story& story, FrameText& text) {
 }
 
 void values(const Story& story, FrameText& text) {
-  const MethodsTold& at = told(story.run, story.frame);
+  const MethodsTrace& at = trace_at(story.run, story.frame);
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
   if (at.is_refused() || asks_first(story.frame)) return;
@@ -216,7 +216,7 @@ void name_choices(SceneBuilder& scene) {
 }
 
 void stage(SceneBuilder& scene) {
-  const MethodsTold& at = told(scene.run, scene.frame);
+  const MethodsTrace& at = trace_at(scene.run, scene.frame);
   if (at.is_refused()) return;
   name_choices(scene);
   if (asks_first(scene.frame)) return;
@@ -230,7 +230,7 @@ void stage(SceneBuilder& scene) {
 /// Plots the counts of each method, position by position.
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
-  if (told(scene.run, scene.frame).is_refused()) return true;
+  if (trace_at(scene.run, scene.frame).is_refused()) return true;
   constexpr std::array<PlotStyle, kMethods.size()> kStyles = {PlotStyle::limit,  PlotStyle::second,
                                                               PlotStyle::first,  PlotStyle::other,
                                                               PlotStyle::fourth, PlotStyle::third};
@@ -242,10 +242,10 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
     PlotSeries series{kStyles[static_cast<std::size_t>(method)], std::string(name_of(method)), {}};
     series.has_symbols = series.style != PlotStyle::limit;
     for (int i = 0; i < positions; ++i) {
-      const MethodsTold& each = *methods_trace(scene.run, i);
+      const MethodsTrace& each = *methods_trace(scene.run, i);
       const double count = static_cast<double>(std::max(each.at(method), 1L));
       most = std::max(most, count);
-      if (i < positions_told(scene.frame)) series.points.emplace_back(i + 1.0, count);
+      if (i < positions_shown(scene.frame)) series.points.emplace_back(i + 1.0, count);
     }
     plot.series.push_back(std::move(series));
   }
@@ -258,7 +258,7 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
 std::string plot_title(const LessonRun&) { return "Steps of each method"; }
 
 void counters(PanelBuilder& panel) {
-  const MethodsTold& at = told(panel.run, panel.frame);
+  const MethodsTrace& at = trace_at(panel.run, panel.frame);
   const double now = panel.right - 64.0;
   panel.write("heading", panel.left, "Steps", type::kHeading);
   panel.write("heading", now, "now", type::kHeading, Align::right);

@@ -19,13 +19,14 @@ constexpr std::array<PlaceholderInfo, 1> kValues = {
 
 class LessonTrace : public OutlineTrace {
  public:
-  explicit LessonTrace(MethodsTold told) : OutlineTrace(told.refusal), told_(std::move(told)) {}
+  explicit LessonTrace(MethodsTrace trace)
+      : OutlineTrace(trace.refusal), trace_(std::move(trace)) {}
 
-  [[nodiscard]] const MethodsTold& told() const { return told_; }
+  [[nodiscard]] const MethodsTrace& trace() const { return trace_; }
   [[nodiscard]] int steps() const override { return refusal ? 0 : 1; }
   [[nodiscard]] StepInfo info(int) const override { return {1, kPhases[0]}; }
   [[nodiscard]] double answer(std::string_view) const override {
-    return refusal ? std::numeric_limits<double>::quiet_NaN() : told_.answer.distance;
+    return refusal ? std::numeric_limits<double>::quiet_NaN() : trace_.answer.distance;
   }
 
  protected:
@@ -34,24 +35,25 @@ class LessonTrace : public OutlineTrace {
     for (const Method method : kMethods) {
       const auto i = static_cast<std::size_t>(method);
       list.push_back({{"method", name_of(method)},
-                      {"steps", told_.steps[i]},
+                      {"steps", trace_.steps[i]},
                       {"unit", unit_of(method)},
-                      {"distance", fields::number(told_.distances[i])}});
+                      {"distance", fields::number(trace_.distances[i])}});
     }
     return {{"answers", std::move(list)}};
   }
   [[nodiscard]] Json result_json(const Lesson&) const override {
-    return {{"distance", fields::number(told_.answer.distance)}, {"overlap", told_.answer.overlap}};
+    return {{"distance", fields::number(trace_.answer.distance)},
+            {"overlap", trace_.answer.overlap}};
   }
 
  private:
-  MethodsTold told_;
+  MethodsTrace trace_;
 };
 
 /// Takes notes of one method after the other.
 class Asking {
  public:
-  Asking(MethodsTold& told, const MethodsTold* before) : told_(told), before_(before) {}
+  Asking(MethodsTrace& trace, const MethodsTrace* before) : trace_(trace), before_(before) {}
 
   void gjk(const PositionedRun& run, const Lesson& lesson) {
     const Case world = case_of(run);
@@ -63,7 +65,7 @@ class Asking {
     if (before_ != nullptr) options.start = before_->simplex;
     const auto warm = before_ == nullptr ? cold : ::gjk::distance(query, options);
     note(Method::gjk_warm, warm.iterations, warm.distance);
-    told_.simplex = warm.warm();
+    trace_.simplex = warm.warm();
   }
 
   void walk(const models::Model& x, const models::Model& y) {
@@ -72,8 +74,8 @@ class Asking {
     const models::WalkResult result = models::lin_canny(
         query, before_ != nullptr ? before_->on_x : any, before_ != nullptr ? before_->on_y : any);
     note(Method::lin_canny, result.steps, result.answer.distance);
-    told_.on_x = result.a;
-    told_.on_y = result.b;
+    trace_.on_x = result.a;
+    trace_.on_y = result.b;
   }
 
   void trees(const models::Model& x, const models::Model& y) {
@@ -88,8 +90,8 @@ class Asking {
     note(Method::tree_pair, pair.visits, pair.answer.distance);
     const models::SearchResult front = search_from_front(query, options);
     note(Method::tree_front, front.visits, front.answer.distance);
-    told_.answer = front.answer;
-    told_.segments = front.segments;
+    trace_.answer = front.answer;
+    trace_.segments = front.segments;
   }
 
  private:
@@ -98,9 +100,9 @@ class Asking {
   /// A front only moves down, and trees that are built anew have other segments in their nodes. It
   /// is given up when a search from it costs more than three quarters of one from the roots, but
   /// not after the first search, which starts at the roots.
-  [[nodiscard]] static bool is_cheap(const MethodsTold& told) {
-    const long visits = told.at(Method::tree_front);
-    return visits == told.from_roots || 4 * visits <= 3 * told.from_roots;
+  [[nodiscard]] static bool is_cheap(const MethodsTrace& trace) {
+    const long visits = trace.at(Method::tree_front);
+    return visits == trace.from_roots || 4 * visits <= 3 * trace.from_roots;
   }
 
   /// Starts with the pairs at which the last search ended, the nearest on top (FCL calls them the
@@ -121,36 +123,36 @@ class Asking {
       const models::SearchPhase phase = state.phase;
       models::SearchRecord record;
       models::step(state, query, options, record);
-      if (record.cut || phase == models::SearchPhase::leaf) told_.front.push_back(state.pair);
+      if (record.cut || phase == models::SearchPhase::leaf) trace_.front.push_back(state.pair);
     }
-    told_.from_roots = starts_at_front ? before_->from_roots : state.visits;
+    trace_.from_roots = starts_at_front ? before_->from_roots : state.visits;
     // A search that found segments that meet leaves pairs behind.
-    if (state.stop == models::SearchStop::meet) told_.front.clear();
+    if (state.stop == models::SearchStop::meet) trace_.front.clear();
     return models::result_of(state, query, options);
   }
 
   void note(Method method, long steps, double distance) {
-    told_.steps[static_cast<std::size_t>(method)] = steps;
-    told_.distances[static_cast<std::size_t>(method)] = distance;
+    trace_.steps[static_cast<std::size_t>(method)] = steps;
+    trace_.distances[static_cast<std::size_t>(method)] = distance;
   }
 
-  MethodsTold& told_;
-  const MethodsTold* before_;
+  MethodsTrace& trace_;
+  const MethodsTrace* before_;
 };
 
 std::shared_ptr<const AlgorithmTrace> run_methods(const Lesson& lesson, const PositionedRun& run,
                                                   const AlgorithmTrace* before) {
-  MethodsTold told;
+  MethodsTrace trace;
   const OutlinesOfRun outlines = outlines_of(lesson, run);
-  told.refusal = refusal_of(outlines, models::Needs::convex);
-  if (told.refusal) return std::make_shared<const LessonTrace>(std::move(told));
-  const MethodsTold* last =
-      before == nullptr ? nullptr : &static_cast<const LessonTrace&>(*before).told();
-  Asking asking(told, last != nullptr && !last->is_refused() ? last : nullptr);
+  trace.refusal = refusal_of(outlines, models::Needs::convex);
+  if (trace.refusal) return std::make_shared<const LessonTrace>(std::move(trace));
+  const MethodsTrace* last =
+      before == nullptr ? nullptr : &static_cast<const LessonTrace&>(*before).trace();
+  Asking asking(trace, last != nullptr && !last->is_refused() ? last : nullptr);
   asking.gjk(run, lesson);
   asking.walk(outlines.x, outlines.y);
   asking.trees(outlines.x, outlines.y);
-  return std::make_shared<const LessonTrace>(std::move(told));
+  return std::make_shared<const LessonTrace>(std::move(trace));
 }
 
 }  // namespace
@@ -176,9 +178,9 @@ const Algorithm kMethodsAlgorithm{.name = "methods",
                                   .run = run_methods,
                                   .takes_outlines = true};
 
-const MethodsTold* methods_trace(const LessonRun& run, int index) {
+const MethodsTrace* methods_trace(const LessonRun& run, int index) {
   if (run.act->algorithm != &kMethodsAlgorithm) return nullptr;
-  return &static_cast<const LessonTrace&>(*run.algorithm_traces[index]).told();
+  return &static_cast<const LessonTrace&>(*run.algorithm_traces[index]).trace();
 }
 
 }  // namespace gjkscope

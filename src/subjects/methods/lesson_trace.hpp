@@ -30,7 +30,7 @@ inline constexpr std::array<Method, 6> kMethods = {Method::gjk_cold,  Method::gj
 [[nodiscard]] std::string_view unit_of(Method method);
 
 /// Results of all methods at one position.
-struct MethodsTold {
+struct MethodsTrace {
   std::array<long, kMethods.size()> steps = {};  ///< In the unit of each method.
   std::array<double, kMethods.size()> distances = {};
   models::Answer answer;  ///< The answer of the tree.
@@ -52,6 +52,6 @@ struct MethodsTold {
 extern const Algorithm kMethodsAlgorithm;
 
 /// The results in run `index`; nullptr when the lesson shows another algorithm.
-[[nodiscard]] const MethodsTold* methods_trace(const LessonRun& run, int index);
+[[nodiscard]] const MethodsTrace* methods_trace(const LessonRun& run, int index);
 
 }  // namespace gjkscope

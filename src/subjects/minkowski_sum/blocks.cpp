@@ -29,7 +29,8 @@ void listing(PanelBuilder& panel) {
 void counts(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   panel.heading("Edges");
-  if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
+  if (shown.trace.refusal)
+    return panel.row("refused", words_of(*shown.trace.refusal, shown.lesson));
   const minkowski_sum::State state =
       shown.step == nullptr ? minkowski_sum::State{} : shown.step->after;
   panel.row("edges of Y", fmt::format("{} of {}", state.edges_of_y, shown.merge.y.size()));

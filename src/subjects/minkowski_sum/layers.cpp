@@ -130,7 +130,7 @@ Vector2d way_of(const Shown& shown, const Corner& from, Source source) {
 
 void stage(SceneBuilder& scene) {
   const Shown& shown = shown_in<Shown>(scene);
-  if (shown.told.refusal) return;
+  if (shown.trace.refusal) return;
   scene.view.kind == ViewKind::world ? in_world(scene, shown) : in_difference(scene, shown);
 }
 

@@ -14,13 +14,13 @@ inline constexpr AskInfo kAskEdge{"next-edge", "which edge of the difference com
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(sum_trace(run.algorithm_trace(frame))),
-        merge(told.merge),
+        trace(sum_trace(run.algorithm_trace(frame))),
+        merge(trace.merge),
         step(last_step_over(merge.steps, frame)),
         is_answer(frame.step >= static_cast<int>(merge.steps.size())) {}
 
   const Lesson& lesson;
-  const SumTrace& told;
+  const SumTrace& trace;
   const minkowski_sum::Merge& merge;
   const minkowski_sum::Step* step = nullptr;  ///< The last that is over; none at the start.
   bool is_answer = false;                     ///< The frame after the last step.

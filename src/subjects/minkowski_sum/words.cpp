@@ -14,7 +14,7 @@ using minkowski_sum::Source;
 
 void refused(const Shown& shown, FrameText& text) {
   text.caption =
-      fmt::format("The merge does not take {}.", words_of(*shown.told.refusal, shown.lesson));
+      fmt::format("The merge does not take {}.", words_of(*shown.trace.refusal, shown.lesson));
   text.detail = "It needs two convex polygons.";
 }
 
@@ -69,7 +69,7 @@ void inside(const Shown& shown, FrameText& text) {
 void words(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
   const int sums = static_cast<int>(shown.merge.corners.size());
-  if (shown.told.refusal) return refused(shown, text);
+  if (shown.trace.refusal) return refused(shown, text);
   if (shown.step == nullptr) {
     text.caption = fmt::format("{1} − {0} is the sum of {1} and −{0}.", shown.lesson.x().name,
                                shown.lesson.y().name);

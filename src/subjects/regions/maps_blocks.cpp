@@ -94,7 +94,7 @@ void signs(PanelBuilder& panel) {
   };
   // Q's place in the maps is shown once the maps are.
   const auto map = map_stage(panel.run, panel.frame);
-  const auto told = [&](MapStage stage) { return !map || *map >= stage; };
+  const auto reached = [&](MapStage stage) { return !map || *map >= stage; };
   // The sign that a map of one coordinate shows.
   const auto is_shown = [&](gjk::Face face, int i) {
     if (!map) return false;
@@ -112,7 +112,7 @@ void signs(PanelBuilder& panel) {
   const bool is_interior = map && *map == MapStage::interior;
   for (const gjk::Face face :
        std::array<gjk::Face, 7>{0b111, 0b110, 0b101, 0b011, 0b001, 0b010, 0b100}) {
-    const bool holds_q = face == positive && told(MapStage::signs);
+    const bool holds_q = face == positive && reached(MapStage::signs);
     const bool current = holds_q || (is_interior && face == 0b111);
     if (current) panel.highlight();
     if (holds_q)
@@ -133,7 +133,7 @@ void signs(PanelBuilder& panel) {
   const bool agree = positive == panel.state.region;
   panel.write("heading", panel.left, "Voronoi region", type::kHeading);
   panel.write("body", name_at, feature(panel.state.region), type::kStrong);
-  if (told(MapStage::difference))
+  if (reached(MapStage::difference))
     panel.write(agree ? "pass" : "fail", panel.right, agree ? "✓ the same" : "✗ not the same",
                 type::kStrong, Align::right);
   panel.y += kRow;

@@ -39,7 +39,7 @@ void dropped_vertex(SceneBuilder& scene, const WideVertex& vertex) {
 }
 
 /// True where no block of the panel says the weights that decide what is dropped.
-bool weights_untold(const SceneBuilder& scene) {
+bool hides_weights(const SceneBuilder& scene) {
   const Lesson& lesson = scene.run.lesson;
   return !lesson.has_block(blocks::kSimplex.name) && !lesson.has_block(blocks::kWeights.name) &&
          !lesson.has_block(blocks::kPseudocode.name) && !lesson.has_block(blocks::kTwoRuns.name);
@@ -183,7 +183,7 @@ void simplex(SceneBuilder& scene) {
   if (scene.knows.phase_is(gjk::Phase::drop)) {
     const auto& dropped = scene.run.step(scene.frame).record.dropped;
     for (const WideVertex& vertex : dropped) dropped_vertex(scene, vertex);
-    if (!scene.shows_difference || !scene.run.point_query() || !weights_untold(scene)) return;
+    if (!scene.shows_difference || !scene.run.point_query() || !hides_weights(scene)) return;
     for (const WideVertex& vertex : dropped) weight_label(scene, vertex, "0");
     const Numbers numbers(scene.run.lesson);
     for (int i = 0; i < simplex.count; ++i)

@@ -27,7 +27,8 @@ void listing(PanelBuilder& panel) {
 void reaches(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   panel.heading("Slab(x, y)");
-  if (shown.told.refusal) return panel.row("refused", words_of(*shown.told.refusal, shown.lesson));
+  if (shown.trace.refusal)
+    return panel.row("refused", words_of(*shown.trace.refusal, shown.lesson));
   if (!shown.has_points()) return panel.row("the shapes overlap", "");
   if (shown.is(Phase::closer)) {
     panel.row("width, |xy| before", panel.numbers(shown.step->before.distance()));

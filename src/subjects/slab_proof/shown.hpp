@@ -16,18 +16,18 @@ inline constexpr AskInfo kAskAngle{"slab-angle", "how large an angle the way int
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(slab_trace(run.algorithm_trace(frame))),
-        step(last_step_over(told.descent.steps, frame)),
-        is_answer(frame.step >= told.steps()) {}
+        trace(slab_trace(run.algorithm_trace(frame))),
+        step(last_step_over(trace.descent.steps, frame)),
+        is_answer(frame.step >= trace.steps()) {}
 
   const Lesson& lesson;
-  const SlabTrace& told;
+  const SlabTrace& trace;
   const slab_proof::Step* step = nullptr;  ///< The last that is over; none at the start.
   bool is_answer = false;                  ///< The frame after the last step.
 
-  [[nodiscard]] bool has_points() const { return !told.descent.steps.empty(); }
+  [[nodiscard]] bool has_points() const { return !trace.descent.steps.empty(); }
   [[nodiscard]] const slab_proof::State& state() const {
-    return step == nullptr ? told.descent.steps.front().before : step->after;
+    return step == nullptr ? trace.descent.steps.front().before : step->after;
   }
   [[nodiscard]] bool is(slab_proof::Phase phase) const {
     return step != nullptr && !is_answer && step->phase == phase;

@@ -69,9 +69,9 @@ void angle_question(const Shown& shown, const slab_proof::Step& step, FrameText&
 
 void words(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  if (shown.told.refusal) {
+  if (shown.trace.refusal) {
     text.caption =
-        fmt::format("The proof does not take {}.", words_of(*shown.told.refusal, shown.lesson));
+        fmt::format("The proof does not take {}.", words_of(*shown.trace.refusal, shown.lesson));
     text.detail = "It needs two convex polygons.";
   } else if (!shown.has_points()) {
     text.caption = fmt::format("{} and {} overlap: the distance is 0.", shown.lesson.x().name,
@@ -99,7 +99,7 @@ void words(const Story& story, FrameText& text) {
 
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  const slab_proof::Step& step = shown.told.descent.steps[story.frame.answering_step];
+  const slab_proof::Step& step = shown.trace.descent.steps[story.frame.answering_step];
   FrameQuestion& asked =
       text.question.emplace(FrameQuestion{story.run.asked(story.frame).ask, {}, {}});
   if (asked.ask == kAskAngle.name) return angle_question(shown, step, text);

@@ -32,7 +32,7 @@ struct Choice {
   std::string need;
   StudyDot dot;
 };
-/// For a growing number of right digits on every pair, and to be told "overlap or not" with a
+/// For a growing number of right digits on every pair, and to know "overlap or not" with a
 /// proof; needs that no way meets are left out. Of ways that take the same time the plainest.
 [[nodiscard]] std::vector<Choice> choices(const std::vector<StudyDot>& family);
 

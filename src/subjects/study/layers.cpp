@@ -211,14 +211,14 @@ class PairPicture {
     const Vector2d center = 0.25 * (shown.exact.vertex + shown.exact.other + shown.in_float.vertex +
                                     shown.in_float.other);
     const bool rounds = stage_ == StudyStage::in_float || stage_ == StudyStage::error;
-    const bool is_told = stage_ != StudyStage::shapes;
+    const bool is_shown = stage_ != StudyStage::shapes;
     const std::string_view which = is_distance ? ": the closest points"
                                    : rounds    ? ": closest in float"
                                                : "";
     const std::string title =
-        is_told ? fmt::format("{} times larger{}", grouped(pair_.magnification()), which) : "";
+        is_shown ? fmt::format("{} times larger{}", grouped(pair_.magnification()), which) : "";
     Inset inset(scene_, fonts_, box, center, pair_.magnification() * scale, title);
-    if (!is_told) return inset.unknown();
+    if (!is_shown) return inset.unknown();
     inset.area("shape.x.fill", x_);
     inset.area("shape.y.fill", y_);
     if (rounds) inset.grid();

@@ -33,7 +33,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
     return asked == growing ? frame.step : -1;
   const Shown shown(run, frame);
   if (shown.index < 0 || shown.is_answer != shown.is_path) return -1;
-  if (shown.told.overlaps()) return -1;
+  if (shown.trace.overlaps()) return -1;
   if (question.at && *question.at != (shown.is_path ? frame.run + 1 : shown.step().number))
     return -1;
   if (question.ask == kAskPairs.name) return shown.is_path ? frame.step : -1;
@@ -41,7 +41,7 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
   constexpr double kSeen = 0.05;
   const SpaceWalk::Step& step = shown.step();
   const bool is_seen = step.at[1 - step.body] == step.next[1 - step.body] &&
-                       (!step.moves() || shown.told.beyond(step) > kSeen * step.distance());
+                       (!step.moves() || shown.trace.beyond(step) > kSeen * step.distance());
   return shown.is_path || is_seen ? frame.step : -1;
 }
 
@@ -74,7 +74,7 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
   if (growth_of(run, frame)) return {.group = "as bodies grow", .label = "all n", .event = true};
   if (shown.is_path) {
-    const bool is_event = shown.told.steps() > 0 && shown.told.pairs() > 1;
+    const bool is_event = shown.trace.steps() > 0 && shown.trace.pairs() > 1;
     return {.group = "positions", .label = std::to_string(frame.run + 1), .event = is_event};
   }
   return tick_of_algorithm(run, frame);

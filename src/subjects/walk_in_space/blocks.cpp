@@ -14,11 +14,11 @@ using v_clip::Reason;
 
 void listing(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
-  const bool is_told = shown.is_step() && !shown.asks;
-  const SpaceWalk::Step step = is_told ? shown.step() : SpaceWalk::Step{};
-  const bool is_end = shown.is_answer && !shown.told.all.empty();
-  const bool meets = (is_told || is_end) && !step.moves() &&
-                     (is_end ? shown.told.overlaps() : step.reason >= Reason::meet);
+  const bool is_shown = shown.is_step() && !shown.asks;
+  const SpaceWalk::Step step = is_shown ? shown.step() : SpaceWalk::Step{};
+  const bool is_end = shown.is_answer && !shown.trace.all.empty();
+  const bool meets = (is_shown || is_end) && !step.moves() &&
+                     (is_end ? shown.trace.overlaps() : step.reason >= Reason::meet);
   const bool is_region = step.moves() && step.is_region;
   blocks::listing_line(panel, "fx, fy ← any feature of X, of Y", shown.index < 0);
   blocks::listing_line(panel, "loop", false);
@@ -28,10 +28,10 @@ void listing(PanelBuilder& panel) {
   blocks::listing_line(panel, "  if y not in the region of fx", false);
   blocks::listing_line(panel, "    fx ← feature beyond the plane", is_region && step.body == 0);
   blocks::listing_line(panel, "  else if x not in that of fy",
-                       is_told && !meets && !step.moves() && step.body == 0);
+                       is_shown && !meets && !step.moves() && step.body == 0);
   blocks::listing_line(panel, "    fy ← feature beyond the plane", is_region && step.body == 1);
   blocks::listing_line(panel, "  else stop: x, y are closest",
-                       !meets && ((is_told && !step.moves() && step.body == 1) || is_end));
+                       !meets && ((is_shown && !step.moves() && step.body == 1) || is_end));
 }
 
 /// Steps of all three methods, at this position and by now.
@@ -40,9 +40,9 @@ void on_path(PanelBuilder& panel, const Shown& shown) {
   std::array<std::array<int, 2>, 3> steps = {};
   for (int i = 0; i < over; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const SpaceWalk& told = space_walk_trace(*panel.run.algorithm_traces[at]);
-    const std::array<int, 3> here = {told.all.empty() ? 0 : told.pairs(),
-                                     panel.run.runs[at].trace.result.iterations, told.cold};
+    const SpaceWalk& trace = space_walk_trace(*panel.run.algorithm_traces[at]);
+    const std::array<int, 3> here = {trace.all.empty() ? 0 : trace.pairs(),
+                                     panel.run.runs[at].trace.result.iterations, trace.cold};
     for (std::size_t k = 0; k < here.size(); ++k) steps[k] = {here[k], steps[k][1] + here[k]};
   }
   constexpr std::array kNames = {"pairs of Lin-Canny", "iterations of GJK, warm",
@@ -77,24 +77,24 @@ void features(PanelBuilder& panel) {
   const auto growing = growth_of(panel.run, panel.frame);
   if (growing && *growing != WalkGrowing::beside_gjk) return growth(panel, *growing);
   const Shown shown(panel.run, panel.frame);
-  if (shown.told.all.empty()) return;
+  if (shown.trace.all.empty()) return;
   const SpaceWalk::Step& step = shown.step();
   panel.row("fx", shown.name(0, step.at[0]));
   panel.row("fy", shown.name(1, step.at[1]));
   if (shown.is_path) return on_path(panel, shown);
   if (shown.index < 0) return;
   panel.row("distance of x, y", panel.numbers(step.distance()));
-  if (shown.asks || shown.is_answer || shown.told.overlaps()) return;
+  if (shown.asks || shown.is_answer || shown.trace.overlaps()) return;
   panel.rule();
   const Eigen::Vector3d& point = step.points[1 - step.body];
   panel.heading(fmt::format("Least depths of {} in the region", step.body == 0 ? "y" : "x"));
-  std::vector<cells::Border> all = shown.told.feature(step).borders;
+  std::vector<cells::Border> all = shown.trace.feature(step).borders;
   std::stable_sort(all.begin(), all.end(), [&](const cells::Border& a, const cells::Border& b) {
     return a.depth(point) < b.depth(point);
   });
   constexpr std::size_t kMost = 4;
   for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i) {
-    if (step.moves() && all[i].beyond == shown.told.border(step).beyond) panel.highlight();
+    if (step.moves() && all[i].beyond == shown.trace.border(step).beyond) panel.highlight();
     panel.row(all[i].beyond < 0 ? "plane of the face" : shown.short_name(step.body, all[i].beyond),
               panel.numbers(all[i].depth(point)));
   }

@@ -105,10 +105,10 @@ Plot space_walk_plot(WalkGrowing growing, bool asks, const SpaceWalkGrowth::Valu
   const double most = samples.back().vertices;
   plot.x = {1.0, most, true, "vertices n of each body"};
   const auto count = [&](PlotStyle style, std::string name, double Sample::*counted,
-                         bool is_told = true) {
+                         bool is_shown = true) {
     PlotSeries series{style, std::move(name), {}};
     for (const Sample& sample : samples) {
-      if (!is_told && sample.vertices > asked_from(samples).vertices) break;
+      if (!is_shown && sample.vertices > asked_from(samples).vertices) break;
       series.points.emplace_back(sample.vertices, sample.*counted);
     }
     plot.series.push_back(std::move(series));

@@ -13,15 +13,15 @@ using cells::Feature;
 
 /// The region that the step is about; before its body if it faces the eye, else behind it.
 void region(SceneBuilder& scene, const Shown& shown, bool in_front) {
-  if (!shown.is_step() || shown.told.overlaps()) return;
+  if (!shown.is_step() || shown.trace.overlaps()) return;
   const SpaceWalk::Step& step = shown.step();
-  const Feature& feature = shown.told.feature(step);
+  const Feature& feature = shown.trace.feature(step);
   if ((scene.map.towards_eye(feature.outwards) > 0.0) != in_front) return;
   const std::vector<Eigen::Vector3d>& points = scene.positioned.bodies[step.body].world;
   // Beyond the point, unless it is so far off that the region would fill the picture.
   constexpr double kBeyond = 1.15;
   const double reach = kBeyond * std::min(step.distance(), cells::radius_of(points));
-  const SolidPart part = cells::region_of(feature, shown.told.features[step.body], points, reach);
+  const SolidPart part = cells::region_of(feature, shown.trace.features[step.body], points, reach);
   if (!part.points.empty())
     draw_solid(scene, part.hull, part.points, step.body == 0 ? "cell.x" : "cell.y");
 }
@@ -29,13 +29,13 @@ void region(SceneBuilder& scene, const Shown& shown, bool in_front) {
 /// The border that the point lies beyond, and the features that are next.
 void way_on(SceneBuilder& scene, const Shown& shown) {
   const SpaceWalk::Step& step = shown.step();
-  if (shown.told.beyond(step) > 0.0)
-    cells::draw_refuting_plane(scene, shown.told.border(step), step.points[step.body],
+  if (shown.trace.beyond(step) > 0.0)
+    cells::draw_refuting_plane(scene, shown.trace.border(step), step.points[step.body],
                                step.points[1 - step.body],
                                cells::radius_of(scene.positioned.bodies[step.body].world));
   for (const std::size_t body : {0, 1}) {
     if (step.next[body] == step.at[body]) continue;
-    const Feature& next = shown.told.features[body][step.next[body]];
+    const Feature& next = shown.trace.features[body][step.next[body]];
     cells::draw_neighbour(scene, body, next);
     if (next.kind() == cells::Kind::face)
       scene.add("cell.beside", Polyline{cells::corners_of(scene, body, next), true});
@@ -63,14 +63,14 @@ bool fill(SceneBuilder& scene, const Fonts& fonts) {
 
 void stage(SceneBuilder& scene) {
   const Shown shown(scene.run, scene.frame);
-  if (scene.view.kind != ViewKind::world || shown.told.all.empty()) return;
+  if (scene.view.kind != ViewKind::world || shown.trace.all.empty()) return;
   region(scene, shown, true);
   const SpaceWalk::Step& step = shown.step();
   for (const std::size_t body : {0, 1})
-    cells::draw_feature(scene, body, shown.told.features[body][step.at[body]]);
+    cells::draw_feature(scene, body, shown.trace.features[body][step.at[body]]);
   if (shown.index < 0) return;
   if (shown.is_step() && !shown.asks && step.moves()) way_on(scene, shown);
-  if (shown.told.overlaps() && step.distance() == 0.0)
+  if (shown.trace.overlaps() && step.distance() == 0.0)
     return cells::draw_pair(scene, step.points, "closest.line", {"x = y", ""});
   cells::draw_pair(scene, step.points, "closest.line", {"x", "y"});
 }

@@ -56,8 +56,8 @@ int found(const std::vector<cells::Feature>& features, const std::vector<int>& v
 
 /// The border of the step's region that its point lies beyond, or on: one that `is_it` holds for.
 template <class IsIt>
-int border_of(const SpaceWalk& told, const SpaceWalk::Step& step, const IsIt& is_it) {
-  const std::vector<cells::Border>& borders = told.feature(step).borders;
+int border_of(const SpaceWalk& walk, const SpaceWalk::Step& step, const IsIt& is_it) {
+  const std::vector<cells::Border>& borders = walk.feature(step).borders;
   int found = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < borders.size(); ++i) {
@@ -70,7 +70,7 @@ int border_of(const SpaceWalk& told, const SpaceWalk::Step& step, const IsIt& is
 }
 
 /// The steps of a walk: one for each pair that is left, two for a pair that is proved.
-void tell(SpaceWalk& told, const v_clip::Trace& trace, const std::array<Numbering, 2>& by) {
+void tell(SpaceWalk& walk, const v_clip::Trace& trace, const std::array<Numbering, 2>& by) {
   SpaceWalk::Step at;
   for (const v_clip::Step& step : trace.steps) {
     const v_clip::State& state = step.after;
@@ -83,16 +83,16 @@ void tell(SpaceWalk& told, const v_clip::Trace& trace, const std::array<Numberin
     at.is_region = step.phase == v_clip::Phase::regions;
     at.reason = state.next.reason;
     if (state.stop == v_clip::Stop::closest) {
-      for (at.body = 0; at.body < 2; ++at.body) told.all.push_back(at);
+      for (at.body = 0; at.body < 2; ++at.body) walk.all.push_back(at);
     } else if (is_over) {
       at.body = state.x.kind == v_clip::Kind::face ? 0 : 1;
-      told.all.push_back(at);
+      walk.all.push_back(at);
     } else if (at.reason != Reason::none) {
       at.next = {by[0].number(state.next.x), by[1].number(state.next.y)};
       at.body = at.next[0] != at.at[0] ? 0 : 1;
-      const std::vector<cells::Feature>& features = told.features[at.body];
+      const std::vector<cells::Feature>& features = walk.features[at.body];
       const bool is_behind = at.reason == Reason::behind_face;
-      at.border = border_of(told, at, [&](int beyond) {
+      at.border = border_of(walk, at, [&](int beyond) {
         if (is_behind || beyond < 0) return is_behind && beyond < 0;
         if (at.is_region) return beyond == by[at.body].number(step.record.tests.back().beyond);
         // The boundary between both, or a side of a face that the next vertex ends.
@@ -103,7 +103,7 @@ void tell(SpaceWalk& told, const v_clip::Trace& trace, const std::array<Numberin
                  return std::find(side.begin(), side.end(), vertex) != side.end();
                });
       });
-      told.all.push_back(at);
+      walk.all.push_back(at);
       at.border = -1;
     }
   }
@@ -111,12 +111,12 @@ void tell(SpaceWalk& told, const v_clip::Trace& trace, const std::array<Numberin
 
 std::shared_ptr<const AlgorithmTrace> run_space_walk(const Lesson& lesson, const PositionedRun& run,
                                                      const AlgorithmTrace* before) {
-  auto told = std::make_shared<SpaceWalk>();
-  if (!why_not_drawn(run).empty()) return told;
+  auto walk = std::make_shared<SpaceWalk>();
+  if (!why_not_drawn(run).empty()) return walk;
   for (const std::size_t body : {0, 1}) {
     const std::vector<Eigen::Vector3d>& world = run.bodies[body].world;
-    told->features[body] = cells::features_of(exact_hull(world), world);
-    if (told->features[body].empty()) return told;
+    walk->features[body] = cells::features_of(exact_hull(world), world);
+    if (walk->features[body].empty()) return walk;
   }
   const v_clip::Body x = v_clip::body_of(run.x().world);
   const v_clip::Body y = v_clip::body_of(run.y().world);
@@ -129,16 +129,16 @@ std::shared_ptr<const AlgorithmTrace> run_space_walk(const Lesson& lesson, const
       from[body] = last.features[body][last.all.back().at[body]].vertices;
   }
   const v_clip::Query query{x, y};
-  const v_clip::State start = v_clip::start(query, by[0].feature(found(told->features[0], from[0])),
-                                            by[1].feature(found(told->features[1], from[1])));
-  tell(*told, v_clip::trace(query, start), by);
+  const v_clip::State start = v_clip::start(query, by[0].feature(found(walk->features[0], from[0])),
+                                            by[1].feature(found(walk->features[1], from[1])));
+  tell(*walk, v_clip::trace(query, start), by);
   if (lesson.path_of_shapes) {
     gjk::Options options;
     options.start = lesson.options.start;
-    told->cold =
+    walk->cold =
         gjk::distance<double>(gjk::Query<double, 3>{{x.points}, {y.points}}, options).iterations;
   }
-  return told;
+  return walk;
 }
 
 }  // namespace

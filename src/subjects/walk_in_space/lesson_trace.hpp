@@ -24,7 +24,7 @@ class SpaceWalk final : public AlgorithmTrace {
     Pair next = {};  ///< The same where a region holds the other's point, and where bodies overlap.
     std::array<Eigen::Vector3d, 2> points;  ///< The closest points of the pair.
     v_clip::Reason reason = v_clip::Reason::none;
-    bool is_region = false;  ///< A test of regions told, not the closest points alone.
+    bool is_region = false;  ///< A test of regions, not the closest points alone.
     std::size_t body = 0;    ///< The one whose feature the decision is about.
     int border = -1;         ///< The border of its region that the other's point is beyond, or on.
     [[nodiscard]] bool moves() const { return next != at; }

@@ -32,29 +32,29 @@ inline constexpr AskInfo kAskFirstPair{
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
       : lesson(run.lesson),
-        told(space_walk_trace(run.algorithm_trace(frame))),
+        trace(space_walk_trace(run.algorithm_trace(frame))),
         is_path(run.lesson.path_of_shapes.has_value()),
         asks(frame.question >= 0),
-        is_answer(frame.step >= told.steps() && !asks),
+        is_answer(frame.step >= trace.steps() && !asks),
         index(asks ? (is_path ? -1 : frame.answering_step)
-                   : std::min(frame.step, told.steps() - 1)) {}
+                   : std::min(frame.step, trace.steps() - 1)) {}
 
   const Lesson& lesson;
-  const SpaceWalk& told;
+  const SpaceWalk& trace;
   bool is_path;  ///< Each position has one frame.
   bool asks;
   bool is_answer;
   int index;  ///< -1: the start, or there are no steps.
 
   /// The step, at the start the first one; only where there are steps.
-  [[nodiscard]] const SpaceWalk::Step& step() const { return told.all[std::max(index, 0)]; }
+  [[nodiscard]] const SpaceWalk::Step& step() const { return trace.all[std::max(index, 0)]; }
   /// True when the frame shows a step, and neither the start nor the answer.
   [[nodiscard]] bool is_step() const { return index >= 0 && !is_answer; }
   /// "face KLM"; of the body itself its name.
   [[nodiscard]] std::string short_name(std::size_t body, int feature) const {
     const LessonShape& shape = lesson.bodies[body];
     if (feature < 0) return shape.name;
-    return cells::name_of(told.features[body][feature], shape);
+    return cells::name_of(trace.features[body][feature], shape);
   }
   /// "face KLM of Y"
   [[nodiscard]] std::string name(std::size_t body, int feature) const {

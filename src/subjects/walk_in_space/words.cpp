@@ -53,7 +53,7 @@ Words words_of_step(const Shown& shown) {
     return {"Point {p} lies in the region of {f}, too: no plane refutes the pair.",
             "Both tests hold, so the slab between x and y is empty: local verification."};
   constexpr double kSeen = 1e-9;
-  if (shown.told.beyond(step) > kSeen)
+  if (shown.trace.beyond(step) > kSeen)
     return {
         "Point {p} lies {beyond} beyond the plane of {over}, outside of the region of {f}: {next} "
         "is "
@@ -67,11 +67,11 @@ Words words_of_path(const Story& story, const Shown& shown) {
   if (story.frame.run == 0)
     return {"The first walk starts at any pair: {pairs} to {fx} and {fy}, at distance {distance}.",
             "Nothing is remembered yet. GJK needs {warm}."};
-  if (shown.told.overlaps())
+  if (shown.trace.overlaps())
     return {"The bodies overlap: the walk ends at {fx} and {fy}.",
             "The walk looks at {pairs}, GJK needs {warm} from its last simplex, {cold} from one "
             "vertex of each."};
-  return {shown.told.pairs() == 1
+  return {shown.trace.pairs() == 1
               ? "{fx} and {fy} are still closest: one pair is enough. The distance is {distance}."
               : "The walk looks at {pairs}, from the last one to {fx} and {fy}, at distance "
                 "{distance}.",
@@ -106,7 +106,7 @@ Words words_of(WalkGrowing growing) {
 }
 
 Words words_of(const Story& story, const Shown& shown) {
-  if (shown.told.all.empty())
+  if (shown.trace.all.empty())
     return {"A body is flat: its points lie in one plane.",
             "This walk is shown on bodies that have a volume."};
   if (const auto growing = growth_of(story.run, story.frame)) return words_of(*growing);
@@ -116,8 +116,8 @@ Words words_of(const Story& story, const Shown& shown) {
             "Any pair of features will do: a vertex, an edge or a face of each body. Next: the "
             "closest points x and y of the pair."};
   if (!shown.is_answer) return words_of_step(shown);
-  return {shown.told.overlaps() ? "{x} and {y} overlap: the distance is 0."
-                                : "The distance is {distance}, between {fx} and {fy}.",
+  return {shown.trace.overlaps() ? "{x} and {y} overlap: the distance is 0."
+                                 : "The distance is {distance}, between {fx} and {fy}.",
           "The walk looked at {pairs} of features, and there are {all}."};
 }
 
@@ -131,7 +131,7 @@ void words(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   std::map<std::string, std::string> values = {{"x", shown.lesson.x().name},
                                                {"y", shown.lesson.y().name}};
-  if (!shown.told.all.empty()) {
+  if (!shown.trace.all.empty()) {
     const SpaceWalk::Step& step = shown.step();
     const std::array<std::string, 2> names = {shown.name(0, step.at[0]), shown.name(1, step.at[1])};
     std::vector<std::string> next;
@@ -144,18 +144,18 @@ void words(const Story& story, FrameText& text) {
     values["b"] = shown.lesson.bodies[step.body].name;
     values["p"] = step.body == 0 ? "y" : "x";
     values["o"] = step.body == 0 ? "x" : "y";
-    values["n"] = std::to_string(shown.told.feature(step).borders.size());
+    values["n"] = std::to_string(shown.trace.feature(step).borders.size());
     if (!next.empty()) values["next"] = and_list(next);
     if (step.border >= 0) {
-      values["over"] = shown.short_name(step.body, shown.told.border(step).beyond);
-      values["beyond"] = story.numbers(shown.told.beyond(step));
+      values["over"] = shown.short_name(step.body, shown.trace.border(step).beyond);
+      values["beyond"] = story.numbers(shown.trace.beyond(step));
     }
-    values["distance"] = story.numbers(shown.told.answer("distance"));
-    values["pairs"] = counted(shown.told.pairs(), "pair");
+    values["distance"] = story.numbers(shown.trace.answer("distance"));
+    values["pairs"] = counted(shown.trace.pairs(), "pair");
     values["all"] =
-        grouped(static_cast<long>(shown.told.features[0].size() * shown.told.features[1].size()));
+        grouped(static_cast<long>(shown.trace.features[0].size() * shown.trace.features[1].size()));
     values["warm"] = counted(story.trace.result.iterations, "iteration");
-    values["cold"] = std::to_string(shown.told.cold);
+    values["cold"] = std::to_string(shown.trace.cold);
   }
   if (growth_of(story.run, story.frame)) {
     const SpaceWalkGrowth::Value& samples = story.effects.get<SpaceWalkGrowth>(story.frame);
@@ -182,7 +182,7 @@ void offer(const Story& story, const Shown& shown, std::size_t body, int feature
   const std::string name = shown.name(body, feature);
   if (std::find(asked.choices.begin(), asked.choices.end(), name) != asked.choices.end()) return;
   asked.choices.push_back(name);
-  const std::vector<int>& vertices = shown.told.features[body][feature].vertices;
+  const std::vector<int>& vertices = shown.trace.features[body][feature].vertices;
   const auto at = [&](int vertex) { return story.positioned.bodies[body].world[vertex]; };
   asked.spots.emplace_back();
   if (vertices.size() < 3)
@@ -216,21 +216,21 @@ void question(const Story& story, FrameText& text) {
   if (const auto growing = growth_of(story.run, story.frame))
     return growth_question(story, *growing, text);
   const Shown shown(story.run, story.frame);
-  const SpaceWalk& told = shown.told;
+  const SpaceWalk& trace = shown.trace;
   FrameQuestion& asked = text.question.emplace();
   asked.ask = story.run.asked(story.frame).ask;
   if (asked.ask == kAskPairs.name) {
     asked.choices = {"one", "two", "three or more"};
-    asked.answer = asked.choices[std::min(told.pairs(), 3) - 1];
+    asked.answer = asked.choices[std::min(trace.pairs(), 3) - 1];
     text.caption = "Question: the bodies moved a little. How many pairs does the walk look at now?";
     return;
   }
   const SpaceWalk::Step& step = shown.step();
   const std::size_t body = shown.is_path ? 0 : step.body;
   const int from = step.at[body];
-  const int to = shown.is_path ? told.all.back().at[body] : step.next[body];
+  const int to = shown.is_path ? trace.all.back().at[body] : step.next[body];
   if (shown.is_path) offer(story, shown, body, from, asked);
-  for (const cells::Border& border : told.features[body][from].borders)
+  for (const cells::Border& border : trace.features[body][from].borders)
     if (border.beyond >= 0) offer(story, shown, body, border.beyond, asked);
   if (shown.is_path || to != from) offer(story, shown, body, to, asked);
   if (!shown.is_path) {
@@ -251,8 +251,8 @@ void question(const Story& story, FrameText& text) {
 void values(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
   text.values = {{"x", shown.lesson.x().name}, {"y", shown.lesson.y().name}};
-  if (shown.told.all.empty()) return;
-  const int pairs = shown.is_path ? shown.told.pairs() : shown.index < 0 ? 0 : shown.step().number;
+  if (shown.trace.all.empty()) return;
+  const int pairs = shown.is_path ? shown.trace.pairs() : shown.index < 0 ? 0 : shown.step().number;
   text.values.emplace_back("pairs", std::to_string(pairs));
 }
 
