@@ -44,8 +44,11 @@ namespace {
 
 void frames(LessonRun& run, int index) {
   add_algorithm_frames(run, index);
-  const WalkTold& walk = *walk_trace(run, index);
-  if (run.runs.size() > 1 || walk.trace.result.stop != models::WalkStop::closest) return;
+  constexpr int kMostPairs = 2500;  // that a grid has room for
+  const TracedWalk& walk = *walk_trace(run, index);
+  if (run.runs.size() > 1 || walk.trace.result.stop != models::WalkStop::closest ||
+      walk.query->pairs() > kMostPairs)
+    return;
   run.frames.push_back(
       {.run = index, .step = static_cast<int>(walk.trace.steps.size()), .part = 0});
 }

@@ -71,6 +71,8 @@ bool fill(SceneBuilder& scene, const Fonts&) {
   constexpr double kLetters = 44.0;
   constexpr double kTitle = 74.0;
   constexpr double kMargin = 16.0;
+  constexpr double kNumber = 44.0;  // the room that a distance needs
+  constexpr double kRow = 18.0;     // that of a name
   const Rect& card = scene.map.area();
   const Rect grid{card.min + Point(kLetters, kTitle), card.max - Point(kMargin, kMargin)};
   const int columns = shown.features(true);
@@ -83,7 +85,8 @@ bool fill(SceneBuilder& scene, const Fonts&) {
     const double x = grid.min.x() + i * cell.x();
     scene.add(i == 0 ? "plot.axis" : "chart.grid",
               Polyline{{{x, grid.min.y()}, {x, grid.max.y()}}});
-    if (i < columns)
+    // In narrow columns vertices alone have names.
+    if (i < columns && (i % 2 == 0 || cell.x() > kNumber))
       scene.add("shape.x.label", Text{{middle(i, 0).x(), grid.min.y() - 10.0},
                                       letters_of(shown, true, i),
                                       type::kName,
@@ -93,7 +96,7 @@ bool fill(SceneBuilder& scene, const Fonts&) {
     const double y = grid.min.y() + i * cell.y();
     scene.add(i == 0 ? "plot.axis" : "chart.grid",
               Polyline{{{grid.min.x(), y}, {grid.max.x(), y}}});
-    if (i < rows)
+    if (i < rows && (i % 2 == 0 || cell.y() > kRow))
       scene.add("shape.y.label", Text{{grid.min.x() - 10.0, middle(0, i).y() + 6.0},
                                       letters_of(shown, false, i),
                                       type::kName,
@@ -110,6 +113,7 @@ bool fill(SceneBuilder& scene, const Fonts&) {
         models::answer_of(pairs[i].pair, shown.walk.query->model_a, shown.walk.query->model_b);
     const Point half = 0.5 * cell - Point(2.0, 2.0);
     scene.add("plot.current", Box{{cells[i] - half, cells[i] + half}, 4.0});
+    if (cell.x() < kNumber) continue;
     scene.add("plot.first.label", Text{cells[i] + Point(0.0, 6.0), fixed(closest.distance, 2),
                                        type::kText, Align::center});
   }
