@@ -219,8 +219,8 @@ TEST(LinkedCaptions, SayWhatWasComputed) {
             "Both moved by (0.50, −0.50): Z and everything in it stay where they were.");
 }
 
-TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
-  Lesson lesson = shipped_lesson("minkowski-translate");
+TEST(LinkedCaptions, TouchingIsNotCalledOverlap) {
+  Lesson lesson = testing::lesson_without_questions("minkowski-translate");
   const LessonRun shipped = run_lesson(lesson);
   const PositionedRun& last = shipped.runs.back();
   // B of the robot lies between N and R of the obstacle, and A and C lie beyond their line. All of
