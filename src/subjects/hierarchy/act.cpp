@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "gjk/vector.hpp"
 #include "subjects/hierarchy/shown.hpp"
 #include "subjects/subjects.hpp"
 
@@ -123,7 +124,7 @@ TiledSegment longest_segment(const Shown& shown) {
   const std::vector<models::Segment>& segments = shown.search.x.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Eigen::Vector2d way = segments[i].b - segments[i].a;
-    const double length = std::sqrt(way.dot(way));
+    const double length = gjk::length(way);
     if (length > out.length) out = {static_cast<int>(i), length, {}};
   }
   const std::vector<TreeNode>& tree = shown.search.tree_x;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "gjk/vector.hpp"
 #include "subjects/hierarchy/shown.hpp"
 
 namespace gjkscope::searches {
@@ -574,7 +575,7 @@ void ask_for_gap(const Story& story, const Shown& shown, FrameText& text) {
   const models::Circle& a = std::get<models::Circle>(shown.node(true).volume);
   const models::Circle& b = std::get<models::Circle>(shown.node(false).volume);
   const Eigen::Vector2d way = b.centre - a.centre;
-  const double between = std::sqrt(way.dot(way));
+  const double between = gjk::length(way);
   for (const double apart :
        {between, between - std::max(a.radius, b.radius), between - a.radius - b.radius})
     asked.choices.push_back(story.numbers(apart));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gjk/vector.hpp"
 #include "run/fields.hpp"
 #include "run/questions.hpp"
 #include "subjects/growth/subject.hpp"
@@ -22,12 +23,12 @@ constexpr std::array<std::string_view, 1> kPairAnswers = {"distance"};
 constexpr std::array<PlaceholderInfo, 1> kPairValues = {
     {{"distance", "distance of the outlines at this position"}}};
 
-Json feature_json(const models::Feature &feature) {
+Json feature_json(const models::Feature& feature) {
   return {{"is", feature.is_vertex ? "vertex" : "edge"}, {"index", feature.index}};
 }
 
-std::shared_ptr<const AlgorithmTrace> run_all_pairs(const Lesson &lesson, const PositionedRun &run,
-                                                    const AlgorithmTrace *) {
+std::shared_ptr<const AlgorithmTrace> run_all_pairs(const Lesson& lesson, const PositionedRun& run,
+                                                    const AlgorithmTrace*) {
   OutlinesOfRun outlines = outlines_of(lesson, run);
   std::optional<Refusal> refused = refusal_of(outlines, models::Needs::segments);
   return std::make_shared<const AllPairsTrace>(refused, std::move(outlines));
@@ -46,11 +47,11 @@ double AllPairsTrace::answer(std::string_view) const {
   return refusal ? std::numeric_limits<double>::quiet_NaN() : closest.distance;
 }
 
-Json AllPairsTrace::step_json(const Lesson &, int) const {
+Json AllPairsTrace::step_json(const Lesson&, int) const {
   return {{"x", feature_json(closest.on_a)}, {"y", feature_json(closest.on_b)}};
 }
 
-Json AllPairsTrace::result_json(const Lesson &) const {
+Json AllPairsTrace::result_json(const Lesson&) const {
   return {{"distance", fields::number(closest.distance)},
           {"overlap", closest.overlap},
           {"closest_x", fields::point(closest.a)},
@@ -77,70 +78,73 @@ constexpr AskInfo kAskLook{
 constexpr std::array kAsks = {asks::kClosestX, kAskLook};
 
 /// A frame at a new position that shows nothing of its answer.
-bool asks_first(const Frame &frame) { return frame.step < 0; }
+bool asks_first(const Frame& frame) { return frame.step < 0; }
 
 /// Of the frame before `frame` on the path; none of the first.
-const AllPairsTrace *last_of(const LessonRun &run, const Frame &frame) {
+const AllPairsTrace* last_of(const LessonRun& run, const Frame& frame) {
   return frame.run == 0 ? nullptr : &all_pairs_trace(run, frame.run - 1);
 }
 
-std::string name_of(const LessonShape &shape, const Feature &feature) {
+std::string name_of(const LessonShape& shape, const Feature& feature) {
   const auto name = [&](int i) {
     return shape.vertex_names[static_cast<std::size_t>(i) % shape.vertex_names.size()];
   };
   return feature.is_vertex ? name(feature.index) : name(feature.index) + name(feature.index + 1);
 }
 
-std::string words_of(const LessonShape &shape, const Feature &feature) {
+std::string words_of(const LessonShape& shape, const Feature& feature) {
   return (feature.is_vertex ? "vertex " : "edge ") + name_of(shape, feature);
 }
 
 /// Whether two features of an outline of `count` vertices are an edge and an
 /// end of it.
-bool are_neighbours(const Feature &a, const Feature &b, int count) {
+bool are_neighbours(const Feature& a, const Feature& b, int count) {
   if (a.is_vertex == b.is_vertex) return false;
-  const Feature &vertex = a.is_vertex ? a : b;
-  const Feature &edge = a.is_vertex ? b : a;
+  const Feature& vertex = a.is_vertex ? a : b;
+  const Feature& edge = a.is_vertex ? b : a;
   return vertex.index == edge.index || vertex.index == (edge.index + 1) % count;
 }
 
-double way(const Vector2d &from, const Vector2d &to) { return (to - from).norm(); }
+double way(const Vector2d& from, const Vector2d& to) {
+  const Vector2d moved = to - from;
+  return gjk::length(moved);
+}
 
 /// How far Y has moved since the last position.
-double move_of_y(const LessonRun &run, int index) {
+double move_of_y(const LessonRun& run, int index) {
   return way(in_plane(run.runs[index - 1].y().world.front()),
              in_plane(run.runs[index].y().world.front()));
 }
-double move_of_x_point(const LessonRun &run, int index) {
+double move_of_x_point(const LessonRun& run, int index) {
   return way(all_pairs_trace(run, index - 1).closest.a, all_pairs_trace(run, index).closest.a);
 }
 
-void add_frames(LessonRun &run, int index) {
+void add_frames(LessonRun& run, int index) {
   run.frames.push_back({.run = index, .step = all_pairs_trace(run, index).steps() - 1});
 }
 
-int answering_step(const LessonRun &run, const Frame &, const Frame &frame,
-                   const LessonQuestion &question) {
+int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
+                   const LessonQuestion& question) {
   const bool is_open =
       frame.run > 0 && !asks_first(frame) && all_pairs_trace(run, frame.run).closest.distance > 0.0;
   return is_open && is_at(frame, question) ? 0 : -1;
 }
 
-Frame asking(const LessonRun &, const Frame &frame) { return {.run = frame.run}; }
+Frame asking(const LessonRun&, const Frame& frame) { return {.run = frame.run}; }
 
-Tick tick(const LessonRun &, const Frame &frame) {
+Tick tick(const LessonRun&, const Frame& frame) {
   return {.group = "position", .label = std::to_string(frame.run + 1)};
 }
 
-void words(const Story &story, FrameText &text) {
-  const LessonRun &run = story.run;
-  const AllPairsTrace &now = all_pairs_trace(run, story.frame.run);
-  const LessonShape &x = run.lesson.x();
+void words(const Story& story, FrameText& text) {
+  const LessonRun& run = story.run;
+  const AllPairsTrace& now = all_pairs_trace(run, story.frame.run);
+  const LessonShape& x = run.lesson.x();
   if (now.refusal) {
     text.caption = fmt::format("All pairs do not take {}.", words_of(*now.refusal, run.lesson));
     return;
   }
-  const AllPairsTrace *last = last_of(run, story.frame);
+  const AllPairsTrace* last = last_of(run, story.frame);
   const std::string distance = story.numbers(now.closest.distance);
   if (last == nullptr) {
     text.caption =
@@ -171,10 +175,10 @@ void words(const Story &story, FrameText &text) {
                                        name_of(x, last->closest.on_a)));
 }
 
-void ask_for_closest(const Story &story, FrameText &text, FrameQuestion &asked) {
-  const LessonShape &x = story.run.lesson.x();
+void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) {
+  const LessonShape& x = story.run.lesson.x();
   const std::vector<Vector2d> points = in_plane(story.positioned.x().world);
-  const models::Answer &closest = all_pairs_trace(story.run, story.frame.run).closest;
+  const models::Answer& closest = all_pairs_trace(story.run, story.frame.run).closest;
   const int count = static_cast<int>(points.size());
   for (const bool is_vertex : {true, false}) {
     for (int i = 0; i < count; ++i) {
@@ -188,19 +192,18 @@ void ask_for_closest(const Story &story, FrameText &text, FrameQuestion &asked) 
   }
   asked.place = closest.a;
   text.caption = fmt::format(
-      "Question: {} has moved by {}, and the dashed line was the "
-      "shortest. Which point of {} is "
+      "Question: {} has moved by {}, and the dashed line was the shortest. Which point of {} is "
       "closest now? Point at it.",
       story.run.lesson.y().name, story.numbers(move_of_y(story.run, story.frame.run)), x.name);
 }
 
 /// What the last closest feature would answer, by itself and with its
 /// neighbours.
-void ask_where_to_look(const Story &story, FrameText &text, FrameQuestion &asked) {
-  const LessonShape &x = story.run.lesson.x();
-  const AllPairsTrace &now = all_pairs_trace(story.run, story.frame.run);
-  const Feature &last = last_of(story.run, story.frame)->closest.on_a;
-  const Feature &found = now.closest.on_a;
+void ask_where_to_look(const Story& story, FrameText& text, FrameQuestion& asked) {
+  const LessonShape& x = story.run.lesson.x();
+  const AllPairsTrace& now = all_pairs_trace(story.run, story.frame.run);
+  const Feature& last = last_of(story.run, story.frame)->closest.on_a;
+  const Feature& found = now.closest.on_a;
   const std::string name = name_of(x, last);
   asked.choices = {name + " alone", name + " and its neighbours", "all of " + x.name};
   const int count = static_cast<int>(x.vertices.size());
@@ -212,45 +215,44 @@ void ask_where_to_look(const Story &story, FrameText &text, FrameQuestion &asked
     const bool is_near =
         last.is_vertex ? are_neighbours(last, {false, 0, edge}, count) : edge == last.index;
     if (!is_near) continue;
-    for (const models::Segment &other : now.models.y.segments)
+    for (const models::Segment& other : now.models.y.segments)
       least = std::min(least, models::nearest(now.models.x.segments[i], other).high);
   }
   asked.refuted = fmt::format("On {} and its neighbours nothing is closer than {}.", name,
                               story.numbers(least));
   text.caption = fmt::format(
-      "Question: {} held the closest point. {} has moved by {}: "
-      "which features of {} have to be "
+      "Question: {} held the closest point. {} has moved by {}: which features of {} have to be "
       "looked at?",
       name, story.run.lesson.y().name, story.numbers(move_of_y(story.run, story.frame.run)),
       x.name);
 }
 
-void question(const Story &story, FrameText &text) {
-  FrameQuestion &asked = text.question.emplace();
+void question(const Story& story, FrameText& text) {
+  FrameQuestion& asked = text.question.emplace();
   asked.ask = story.run.asked(story.frame).ask;
   asked.ask == kAskLook.name ? ask_where_to_look(story, text, asked)
                              : ask_for_closest(story, text, asked);
 }
 
-void values(const Story &story, FrameText &text) {
-  const AllPairsTrace &now = all_pairs_trace(story.run, story.frame.run);
+void values(const Story& story, FrameText& text) {
+  const AllPairsTrace& now = all_pairs_trace(story.run, story.frame.run);
   text.values.emplace_back("x", story.run.lesson.x().name);
   text.values.emplace_back("y", story.run.lesson.y().name);
   if (now.refusal || asks_first(story.frame)) return;
   text.values.emplace_back("distance", story.numbers(now.closest.distance));
 }
 
-void pair(SceneBuilder &scene, const std::string &role, const models::Answer &closest) {
+void pair(SceneBuilder& scene, const std::string& role, const models::Answer& closest) {
   const Point x = scene.at(closest.a);
   const Point y = scene.at(closest.b);
   scene.line(role, x, y);
-  for (const Point &point : {x, y}) scene.disk("closest", point, sizes::kClosestRadius);
+  for (const Point& point : {x, y}) scene.disk("closest", point, sizes::kClosestRadius);
 }
 
-void stage(SceneBuilder &scene) {
-  const AllPairsTrace &now = all_pairs_trace(scene.run, scene.frame.run);
+void stage(SceneBuilder& scene) {
+  const AllPairsTrace& now = all_pairs_trace(scene.run, scene.frame.run);
   if (now.refusal) return;
-  const AllPairsTrace *last = last_of(scene.run, scene.frame);
+  const AllPairsTrace* last = last_of(scene.run, scene.frame);
   if (last != nullptr) {
     const std::vector<Vector2d> points =
         in_plane(scene.run.runs[static_cast<std::size_t>(scene.frame.run) - 1].y().world);
@@ -269,7 +271,7 @@ void stage(SceneBuilder &scene) {
 }
 
 /// The distance, and how far its ends go, position by position.
-bool fill(SceneBuilder &scene, const Fonts &fonts) {
+bool fill(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
   const int positions = static_cast<int>(scene.run.runs.size());
   if (all_pairs_trace(scene.run, scene.frame.run).refusal) return true;
@@ -281,7 +283,7 @@ bool fill(SceneBuilder &scene, const Fonts &fonts) {
   double most = 0.0;
   for (int i = 0; i < positions; ++i) {
     const double at = i + 1.0;
-    const AllPairsTrace &each = all_pairs_trace(scene.run, i);
+    const AllPairsTrace& each = all_pairs_trace(scene.run, i);
     most = std::max({most, each.closest.distance, i > 0 ? move_of_x_point(scene.run, i) : 0.0});
     if (i > scene.frame.run) continue;
     if (i > 0) step.points.emplace_back(at, move_of_y(scene.run, i));
@@ -296,11 +298,11 @@ bool fill(SceneBuilder &scene, const Fonts &fonts) {
   return true;
 }
 
-void closest_block(PanelBuilder &panel) {
-  const AllPairsTrace &now = all_pairs_trace(panel.run, panel.frame.run);
+void closest_block(PanelBuilder& panel) {
+  const AllPairsTrace& now = all_pairs_trace(panel.run, panel.frame.run);
   panel.heading("From the last position to this one");
   const bool is_known = !now.refusal && !asks_first(panel.frame);
-  const auto row = [&](const std::string &what, bool is_shown, double value) {
+  const auto row = [&](const std::string& what, bool is_shown, double value) {
     panel.row(what, is_shown ? panel.numbers(value) : "–");
   };
   const bool has_last = panel.frame.run > 0;
@@ -321,9 +323,7 @@ const Block kMoves{.name = "moves",
 
 const Act kAct{
     .name = "closest-pairs",
-    .meaning =
-        "position on the path: the closest points of two outlines, by "
-        "all pairs",
+    .meaning = "position on the path: the closest points of two outlines, by all pairs",
     .needs = {.why_no_until = "frames show how the path ends"},
     .add_frames = add_frames,
     .sweeps = true,
@@ -338,7 +338,7 @@ const Act kAct{
     .question = question,
     .values = values,
     .fill = fill,
-    .plot_title = [](const LessonRun &) { return std::string("Moves and distance"); },
+    .plot_title = [](const LessonRun&) { return std::string("Moves and distance"); },
 };
 
 }  // namespace gjkscope::jumps
