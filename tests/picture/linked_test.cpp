@@ -220,7 +220,7 @@ TEST(LinkedCaptions, SayWhatWasComputed) {
 }
 
 TEST(LinkedCaptions, TouchingIsToldFromOverlap) {
-  Lesson lesson = shipped_lesson("minkowski-translate");
+  Lesson lesson = testing::told_lesson("minkowski-translate");
   const LessonRun shipped = run_lesson(lesson);
   const PositionedRun& last = shipped.runs.back();
   // B of the robot lies between N and R of the obstacle, and A and C lie beyond their line. All of
