@@ -72,10 +72,6 @@ void set_rounded_answer(const State<R, D>& state, const gjk::Result<R, D>& found
     if (options.proof == gjk::Proof::exact && !proof.is_tight)
       out.settled = settle(found, query, prepared, proof);
   }
-  if (!out.settled) {
-    const Vec<R, D> t = proof.direction * proof.depth;
-    proof.face = contact_face(state, t, query, prepared);
-  }
   out.depth = gjk::ScalarTraits<R>::scaled(proof.depth, prepared.exponent);
   if (options.proof != gjk::Proof::none) {
     out.lower = gjk::scaled_below(proof.lower, prepared.exponent);
@@ -161,7 +157,6 @@ template <class R = gjk::Default, class S, int D>
   out.gjk = gjk::trace<R>(query, options);
   const gjk::Prepared<Run, D>& prepared = out.gjk.prepared;
   State<Run, D> state = start(query, prepared, out.gjk.result);
-  if constexpr (D == 3) detail::measure_all(state);
   out.initial = state;
   Bounds<Run> bounds;
   while (state.stop == StopReason::running) {
@@ -169,7 +164,6 @@ template <class R = gjk::Default, class S, int D>
     next.phase = state.phase;
     next.iteration = state.iteration;
     step(state, query, prepared, next.record);
-    if constexpr (D == 3) detail::measure_all(state);
     next.after = state;
     detail::improve(bounds, next.phase, state, prepared);
     next.bounds = bounds;

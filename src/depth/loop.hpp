@@ -108,6 +108,7 @@ template <class R, class S, int D, class Found>
     return state;
   }
   std::vector<gjk::SupportPoint<R, D>> points;
+  points.reserve(D + 1);
   for (int i = 0; i < found.simplex.count; ++i)
     points.push_back(gjk::support_point(query, prepared, found.simplex.vertices[i].pair));
   detail::start_with(std::move(points), query, prepared, state);

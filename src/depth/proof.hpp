@@ -17,7 +17,7 @@ struct Proof {
   R lower = R(0);
   R upper = R(0);
   Vec<R, D> direction = Vec<R, D>::Zero();
-  gjk::Simplex<R, D> face;  ///< See Result::face; `contact_face` sets it.
+  gjk::Simplex<R, D> face;  ///< See Result::face.
 };
 
 /// How much farther than the nearest face Z may reach along its normal, in u times the size of Z,
@@ -42,14 +42,18 @@ template <class R, class S, int D>
 }
 
 /// How far Z reaches along a direction of length 1: of the vertices among which rounding leaves the
-/// choice open each is computed with about twice the digits.
+/// choice open each is computed with about twice the digits, as those of `known` are.
 template <class R, class S, int D>
-[[nodiscard]] R careful_reach(const Vec<R, D>& direction, const gjk::Query<S, D>& query,
-                              const gjk::Prepared<R, D>& prepared) {
+[[nodiscard]] R careful_reach(const Vec<R, D>& direction,
+                              const gjk::Simplex<gjk::DoubleWord<R>, D>& known,
+                              const gjk::Query<S, D>& query, const gjk::Prepared<R, D>& prepared) {
   using Word = gjk::DoubleWord<R>;
   gjk::VertexPair best = gjk::farthest_pair(query, prepared, direction);
   const auto reach_of = [&](gjk::VertexPair pair) {
-    const Vec<Word, D> w = careful_vertex(query, prepared, pair);
+    const auto end = known.vertices.begin() + known.count;
+    const auto found =
+        std::find_if(known.vertices.begin(), end, [&](const auto& v) { return v.pair == pair; });
+    const Vec<Word, D> w = found != end ? found->w : careful_vertex(query, prepared, pair);
     Word sum = Word{direction[0]} * w[0];
     for (int i = 1; i < D; ++i) sum = sum + Word{direction[i]} * w[i];
     return sum.hi;

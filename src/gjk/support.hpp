@@ -38,16 +38,24 @@ struct Along {
   const Shape<S, D>& shape;
   const Frames<R, D>& frames;
   const Body<R, D>& body;
-  Vec<R, D> d;  ///< In the axes in which the vertices are read.
+  Vec<R, D> d;                          ///< In the axes in which the vertices are read.
+  const Vec<R, D>* in_place = nullptr;  ///< The vertices, where they can be read as they are.
 
   Along(const Vec<R, D>& in_world, const Shape<S, D>& of, const Frames<R, D>& in,
         const Body<R, D>& seen_as)
       : shape(of), frames(in), body(seen_as), d(in_world) {
-    if (body.placed_count == 0) d = shape.pose.template direction_to_local<R>(in_world);
+    if (body.placed_count > 0) {
+      in_place = body.placed.data();
+      return;
+    }
+    d = shape.pose.template direction_to_local<R>(in_world);
+    if constexpr (std::is_same_v<R, S>) {
+      if (!frames.centred && frames.exponent == 0) in_place = shape.vertices().data();
+    }
   }
   [[nodiscard]] int count() const { return static_cast<int>(shape.vertices().size()); }
   [[nodiscard]] R operator()(int i) const {
-    if (body.placed_count > 0) return dot(d, body.placed[i]);
+    if (in_place != nullptr) return dot(d, in_place[i]);
     return dot(d, detail::from_centre(shape, frames, body, i));
   }
   /// The error of a difference of two values, for `climb`.

@@ -154,7 +154,7 @@ TEST(DepthInSpace, StartsFromAnyPointsOfZ) {
       vertex.pair = {source.among(0, 7), source.among(0, 7)};
     auto state = depth::space::start(query, prepared, found);
     depth::space::run(state, query, prepared);
-    EXPECT_NEAR(depth * depth, state.polytope.faces[state.face].distance_sq, 1e-14);
+    EXPECT_NEAR(depth * depth, depth::detail::inner_distance_sq(state), 1e-14);
   }
 }
 

@@ -153,7 +153,7 @@ template <class Wide, class R>
   return nearest;
 }
 
-/// Bounds of a run that rounded, but for the edge of contact.
+/// Bounds of a run that rounded, and the edge of contact.
 template <class R, class S>
 [[nodiscard]] Proof<R, 2> prove(const State<R, 2>& state, const gjk::Query<S, 2>& query,
                                 const gjk::Prepared<R, 2>& prepared) {
@@ -186,13 +186,14 @@ template <class R, class S>
   const bool is_certain = R(4) * rough < nearest.lower && winds_once(polygon);
   if (is_certain) out.lower = nearest.lower - few * nearest.value;
 
-  const R reach = careful_reach(out.direction, query, prepared);
+  const R reach = careful_reach(out.direction, {}, query, prepared);
   out.upper = gjk::larger(R(reach + R(kReachRoundings<2>) * u * gjk::magnitude(reach) + careful),
                           out.lower);
   out.depth = gjk::smaller(gjk::larger(nearest.value, out.lower), out.upper);
   const R unit = u * Traits::root(size);
   out.is_tight = is_certain && reach - nearest.value <= R(kAllowedGap) * unit &&
                  out.upper - out.lower <= Traits::from(gjk::kAllowedWidth) * unit;
+  out.face = contact_face(state, Vec<R, 2>(out.direction * out.depth), query, prepared);
   return out;
 }
 

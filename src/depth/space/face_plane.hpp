@@ -4,6 +4,8 @@
 // too large, and then in exact ones (Shewchuk 1997, "Adaptive precision floating-point arithmetic
 // and fast robust geometric predicates").
 
+#include <utility>
+
 #include "gjk/proof/careful.hpp"
 
 namespace depth::space {
@@ -19,6 +21,13 @@ using Plain = std::conditional_t<std::is_same_v<R, Expansion>, long double, R>;
 template <class R>
 inline constexpr bool kPlaneRounds = !gjk::ScalarTraits<Plain<R>>::kExact;
 
+/// Triangles that are thinner, by the product of two sides as a share of twice the area, have
+/// planes with all digits.
+inline constexpr int kThin = 32;
+/// For any plane: dot(n, p - a) errs by less than so many u norm_max(n) norm_1(p - a), and the
+/// distance of O by less than so many u |a|. See `face_plane`.
+inline constexpr int kPlaneRoundings = 512;
+
 template <class R>
 struct Triangle {
   const Vec<R, 3>& a;
@@ -26,23 +35,15 @@ struct Triangle {
   const Vec<R, 3>& c;
 };
 
-/// The plane of a triangle abc. `careful_plane` has all digits; a rough one is made without more,
-/// for most faces are outgrown before they are the nearest.
+/// The plane of a triangle abc.
 template <class R>
 struct Plane {
   Vec<Plain<R>, 3> n = Vec<Plain<R>, 3>::Zero();  ///< (b - a) x (c - a) times a power of two.
-  R distance_sq = R(0);          ///< O from it, squared; negative where O lies on the outer side.
-  Plain<R> error = Plain<R>(0);  ///< dot(n, p - a) errs by less than error * norm_1(p - a).
-  bool is_rough = false;         ///< `distance_sq` is less than that of `careful_plane`.
+  /// O from it, squared; negative where O lies on the outer side.
+  Plain<R> distance_sq = Plain<R>(0);
 };
 
 namespace detail {
-
-/// For R that rounds, or is an Expansion.
-template <class R>
-[[nodiscard]] Vec<Expansion, 3> exact(const Vec<R, 3>& a) {
-  return a.template cast<Expansion>();
-}
 
 template <class R>
 using Word = gjk::DoubleWord<Plain<R>>;
@@ -72,46 +73,38 @@ template <class R>
   return size(t.b - t.a) * size(t.c - t.a);
 }
 
-/// n = ab x ac, and side = dot(n, a).
+/// ab x ac, and its product with a.
 template <class N>
-struct Products {
-  Vec<N, 3> n;
-  N side;
-};
-template <class N>
-[[nodiscard]] Products<N> products(const Vec<N, 3>& a, const Vec<N, 3>& ab, const Vec<N, 3>& ac) {
+[[nodiscard]] std::pair<Vec<N, 3>, N> products(const Vec<N, 3>& a, const Vec<N, 3>& ab,
+                                               const Vec<N, 3>& ac) {
   const Vec<N, 3> n = gjk::cross(ab, ac);
   return {n, gjk::dot(n, a)};
 }
 /// With all calls inlined, so that compilers split each number into halves once.
 template <class R>
-[[nodiscard, gnu::flatten]] Products<Word<R>> products_in_words(const Triangle<R>& t,
-                                                                const Vec<R, 3>& from,
-                                                                const Vec<R, 3>& to) {
+[[nodiscard, gnu::flatten]] std::pair<Vec<Word<R>, 3>, Word<R>> products_in_words(
+    const Triangle<R>& t, const Vec<R, 3>& from, const Vec<R, 3>& to) {
   return products(way(from, to), way(t.a, t.b), way(t.a, t.c));
 }
-/// Wide: products of three lengths may leave the range of R.
-template <class R, class Wide = gjk::Wider<Plain<R>>>
-[[nodiscard, gnu::noinline]] Products<Wide> exact_products(const Triangle<R>& t) {
-  const Vec<Expansion, 3> a = exact(t.a);
-  const auto [n, side] = products<Expansion>(a, exact(t.b) - a, exact(t.c) - a);
-  return {gjk::converted<Wide, Expansion, 3>(n), gjk::ScalarTraits<Wide>::from(side)};
+/// For R that rounds, or is an Expansion.
+template <class R>
+[[nodiscard, gnu::noinline]] std::pair<Vec<Expansion, 3>, Expansion> exact_products(
+    const Triangle<R>& t, const Vec<R, 3>& from, const Vec<R, 3>& to) {
+  const auto exact_way = [](const Vec<R, 3>& a, const Vec<R, 3>& b) {
+    return Vec<Expansion, 3>(b.template cast<Expansion>() - a.template cast<Expansion>());
+  };
+  return products(exact_way(from, to), exact_way(t.a, t.b), exact_way(t.a, t.c));
 }
 
-/// With l the sum of the coordinates of p - a and m the largest of n, n errs by less than 2 sqrt(3)
-/// u m, p - a by 2 u of itself, products by u, and sums by 2 u: 8.5 u m l in all. 16 leaves room
-/// for the bound's own rounding.
 template <class R, class N>
-[[nodiscard]] Plane<R> in_good_unit(const Products<N>& made) {
-  using Traits = gjk::ScalarTraits<Plain<R>>;
+[[nodiscard]] Plane<R> in_good_unit(const Vec<N, 3>& n, const N& side) {
   Plane<R> out;
-  const N size = gjk::norm_max(made.n);
+  const N size = gjk::norm_max(n);
   if (size == N(0)) return out;
   const N unit = gjk::ScalarTraits<N>::scaled(N(1), -gjk::ScalarTraits<N>::exponent(size));
-  out.n = gjk::converted<Plain<R>, N, 3>(Vec<N, 3>(made.n * unit));
-  const Plain<R> side = Traits::from(N(made.side * unit));
-  out.distance_sq = R(side * Plain<R>(gjk::magnitude(side) / gjk::dot(out.n, out.n)));
-  out.error = Plain<R>(16) * Traits::unit_roundoff() * gjk::norm_max(out.n);
+  out.n = gjk::converted<Plain<R>, N, 3>(Vec<N, 3>(n * unit));
+  const Plain<R> in_unit = gjk::ScalarTraits<Plain<R>>::from(N(side * unit));
+  out.distance_sq = in_unit * Plain<R>(gjk::magnitude(in_unit) / gjk::dot(out.n, out.n));
   return out;
 }
 
@@ -129,52 +122,43 @@ template <class R>
     return {n, side * R(gjk::magnitude(side) / gjk::dot(n, n))};
   } else {
     using N = Plain<R>;
-    const auto words = detail::products_in_words<R>(t, Vec<R, 3>::Zero(), t.a);
-    const detail::Products<N> made = {gjk::converted<N, detail::Word<R>, 3>(words.n),
-                                      words.side.hi};
+    const Vec<R, 3> origin = Vec<R, 3>::Zero();
+    const auto words = detail::products_in_words<R>(t, origin, t.a);
+    const Vec<N, 3> n = gjk::converted<N, detail::Word<R>, 3>(words.first);
+    const N& side = words.second.hi;
     // Words err by about 24 u^2 of the products of their lengths in n, 40 u^2 in side.
     const N enough = N(512) * gjk::ScalarTraits<N>::unit_roundoff();
     const N least = std::numeric_limits<N>::min() / enough;
     const N area = enough * detail::area_of(t);
     const N volume = area * N(gjk::norm_max(gjk::converted<N, R, 3>(t.a)));
-    if (gjk::larger(area, least) < gjk::norm_max(made.n) &&
-        gjk::larger(volume, least) < gjk::magnitude(made.side))
-      return detail::in_good_unit<R>(made);
-    return detail::in_good_unit<R>(detail::exact_products(t));
+    if (gjk::larger(area, least) < gjk::norm_max(n) &&
+        gjk::larger(volume, least) < gjk::magnitude(side))
+      return detail::in_good_unit<R>(n, side);
+    using Wide = gjk::Wider<N>;  // products of three lengths may leave the range of R
+    const auto exact = detail::exact_products<R>(t, origin, t.a);
+    return detail::in_good_unit<R, Wide>(gjk::converted<Wide, Expansion, 3>(exact.first),
+                                         gjk::ScalarTraits<Wide>::from(exact.second));
   }
 }
 
-/// A rough plane where that will do. With s the product of the largest coordinates of b - a and
-/// c - a those of n are up to 2 s and err by 8 u s, and products with p - a by 5 u 2 s more: 18 u
-/// s; in length n errs by 14 u s. Squared, the distance rounds by at most 32 u, and that of
-/// `careful_plane` may be 12 u of itself away.
+/// A rough plane of a triangle that is not thin, else the careful one. With s = |b - a||c - a|, at
+/// most kThin |n|, edges err by u of themselves and n by 4.4 u s, thus by 141 u |n|; products with
+/// another vector by 3 u more, which is 250 u norm_max(n) norm_1(p - a); the distance errs by 141 u
+/// |a| once more, and by 6 u of itself.
 template <class R>
 [[nodiscard]] Plane<R> face_plane(const Triangle<R>& t) {
   if constexpr (std::is_floating_point_v<R>) {
-    const R u = gjk::ScalarTraits<R>::unit_roundoff();
-    Plane<R> out;
-    out.n = gjk::cross(Vec<R, 3>(t.b - t.a), Vec<R, 3>(t.c - t.a));
-    out.error = R(24) * u * detail::area_of(t);
-    const R n_sq = gjk::dot(out.n, out.n);
-    const R size = std::sqrt(n_sq);
-    const R side = gjk::dot(out.n, t.a) - out.error * gjk::norm_1(t.a);
-    const R error = side < R(0) ? -out.error : out.error;
-    const R distance = side / (size + error);
-    out.distance_sq = distance * (gjk::magnitude(distance) - R(64) * u * distance);
-    out.is_rough = true;
-    // Not thin, and nothing that counts underflows.
-    const R least = std::numeric_limits<R>::min() / u;
-    const R smallest = gjk::smaller(gjk::smaller(out.error, n_sq),
-                                    gjk::smaller(std::abs(side), std::abs(out.distance_sq)));
-    if (R(2) * out.error < size && least < smallest) return out;
+    const Vec<R, 3> ab = t.b - t.a;
+    const Vec<R, 3> ac = t.c - t.a;
+    const Vec<R, 3> n = gjk::cross(ab, ac);
+    const R n_sq = gjk::dot(n, n);
+    const R least = std::numeric_limits<R>::min() / gjk::ScalarTraits<R>::unit_roundoff();
+    if (gjk::dot(ab, ab) * gjk::dot(ac, ac) + least < R(kThin * kThin) * n_sq) {
+      const R side = gjk::dot(n, t.a);
+      return {n, side * (std::abs(side) / n_sq)};
+    }
   }
   return careful_plane(t);
-}
-
-/// True when abc lie on one line. Exact: where it is thin no plane is rough.
-template <class R>
-[[nodiscard]] bool has_no_area(const Vec<R, 3>& a, const Vec<R, 3>& b, const Vec<R, 3>& c) {
-  return gjk::is_zero(face_plane<R>({a, b, c}).n);
 }
 
 namespace detail {
@@ -190,14 +174,13 @@ template <class R>
     const Vec<Word<R>, 3> ap = way(t.a, p);
     if (ap == way(t.b, t.c) || ap == way(t.c, t.b) || way(t.b, p) == way(t.a, t.c)) return 0;
   }
-  const N side = products_in_words(t, t.a, p).side.hi;
+  const N side = products_in_words(t, t.a, p).second.hi;
   const N u = gjk::ScalarTraits<N>::unit_roundoff();
   const N least = std::numeric_limits<N>::min();
   const N length = gjk::norm_1(Vec<N, 3>(gjk::converted<N, R, 3>(Vec<R, 3>(p - t.a))));
   const N rounding = length * N(N(64) * u * u * area_of(t) + least) + least;
   if (rounding < gjk::magnitude(side)) return side < N(0) ? -1 : 1;
-  const Vec<Expansion, 3> a = exact(t.a);
-  return products<Expansion>(exact(p) - a, exact(t.b) - a, exact(t.c) - a).side.sign();
+  return exact_products(t, t.a, p).second.sign();
 }
 
 }  // namespace detail
@@ -210,7 +193,9 @@ template <class R>
   const Vec<N, 3> way = gjk::converted<N, R, 3>(Vec<R, 3>(p - t.a));
   const N side = gjk::dot(plane.n, way);
   if constexpr (kPlaneRounds<R>) {
-    const N rounding = plane.error * gjk::norm_1(way) + std::numeric_limits<N>::min();
+    const N u = gjk::ScalarTraits<N>::unit_roundoff();
+    const N rounding = N(kPlaneRoundings) * u * gjk::norm_max(plane.n) * gjk::norm_1(way) +
+                       std::numeric_limits<N>::min();
     if (!(rounding < gjk::magnitude(side))) return detail::careful_side(t, p);
   }
   return int{N(0) < side} - int{side < N(0)};

@@ -13,20 +13,18 @@
 
 namespace depth::space {
 
-/// A triangle, its corners counter-clockwise seen from outside. A triangle that is no longer part
-/// of the polytope stays in the list, so that indices keep their meaning.
+/// A triangle, its corners counter-clockwise seen from outside. One that the polytope has outgrown
+/// stays where it is, so that indices keep their meaning.
 template <class R>
 struct Face : Plane<R> {
   std::array<int, 3> corners = {};
   std::array<int, 3> neighbours = {};  ///< [i] lies beyond the edge from corner i to the next one.
   bool is_outgrown = false;
-};
 
-/// An edge of the horizon, and the face beyond it, which stays.
-struct HorizonEdge {
-  int from = 0;
-  int to = 0;
-  int beyond = 0;
+  /// The edge that ends at a corner.
+  [[nodiscard]] int edge_to(int corner) const {
+    return corners[1] == corner ? 0 : corners[2] == corner ? 1 : 2;
+  }
 };
 
 /// Some points of Z and their convex hull. A hull that is flat has two faces, back to back; where
@@ -35,10 +33,7 @@ template <class R>
 struct Polytope {
   std::vector<gjk::SupportPoint<R, 3>> corners;  ///< Also those that have come to lie inside.
   std::vector<Face<R>> faces;
-  /// A heap of faces, the nearest in front. Outgrown ones stay until they come to the front.
-  std::vector<int> heap;
-  std::vector<int> seen;          ///< By the point that is added; kept for the room it has,
-  std::vector<HorizonEdge> ring;  ///< as is the horizon.
+  std::vector<int> hull;  ///< Faces that are not outgrown, in order.
 
   [[nodiscard]] const Vec<R, 3>& at(const Face<R>& face, int i) const {
     return corners[face.corners[i]].w;
@@ -57,83 +52,36 @@ template <class R>
   return least <= side_of<R>(polytope.triangle(f.corners), f, p);
 }
 
-/// The order of the heap: is a farther than b? Of equal ones the older is nearer.
 template <class R>
-[[nodiscard]] auto is_farther(const Polytope<R>& polytope) {
-  return [&polytope](int a, int b) {
-    const R& of_a = polytope.faces[a].distance_sq;
-    const R& of_b = polytope.faces[b].distance_sq;
-    if (of_b < of_a) return true;
-    return of_b == of_a && b < a;
-  };
-}
-
-template <class R>
-void make_careful(const Polytope<R>& polytope, Face<R>& face) {
-  if (face.is_rough) static_cast<Plane<R>&>(face) = careful_plane(polytope.triangle(face.corners));
-}
-
-template <class R>
-void push(Polytope<R>& polytope, int face) {
-  polytope.heap.push_back(face);
-  std::push_heap(polytope.heap.begin(), polytope.heap.end(), is_farther(polytope));
-}
-
-/// Adds a face, whose neighbours are set elsewhere.
-template <class R>
-int add_face(Polytope<R>& polytope, const std::array<int, 3>& corners) {
+void add_face(Polytope<R>& polytope, const std::array<int, 3>& corners,
+              const std::array<int, 3>& neighbours) {
   const int added = static_cast<int>(polytope.faces.size());
-  polytope.faces.push_back({face_plane(polytope.triangle(corners)), corners});
-  push(polytope, added);
-  return added;
+  polytope.faces.push_back({face_plane(polytope.triangle(corners)), corners, neighbours});
+  polytope.hull.push_back(added);
 }
 
-/// The nearest face, which leaves the heap: it ends the run, or it is replaced. A rough plane in
-/// front may lie behind another one when it is known better.
-template <class R>
-[[nodiscard]] int take_nearest(Polytope<R>& polytope) {
-  std::vector<int>& heap = polytope.heap;
-  for (;;) {
-    std::pop_heap(heap.begin(), heap.end(), is_farther(polytope));
-    const int taken = heap.back();
-    heap.pop_back();
-    Face<R>& face = polytope.faces[taken];
-    if (face.is_outgrown) continue;
-    make_careful(polytope, face);
-    if (heap.empty() || !is_farther(polytope)(taken, heap.front())) return taken;
-    push(polytope, taken);
-  }
-}
-
-/// Marks the faces that see p, or lie in one plane with it, from one that does. They are all
-/// connected, and so are those that stay: their common boundary is one ring, in order.
-template <class R>
-void outgrow(Polytope<R>& polytope, int first, const Vec<R, 3>& p) {
+/// Marks a face that sees the last corner, or lies in one plane with it, and all such faces beyond
+/// `count` of its edges from `first` on. They are connected, and so are those that stay: their
+/// common boundary is one ring, and the walk meets its edges in order. It adds a face to each.
+template <class R, class Rec>
+void outgrow(Polytope<R>& polytope, int face, int first, int count, Rec& record) {
   std::vector<Face<R>>& faces = polytope.faces;
-  std::vector<int>& seen = polytope.seen;
-  seen.assign(1, first);
-  faces[first].is_outgrown = true;
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    for (const int beyond : faces[seen[k]].neighbours) {
-      if (faces[beyond].is_outgrown || !sees(polytope, beyond, p, 0)) continue;
-      faces[beyond].is_outgrown = true;
-      seen.push_back(beyond);
+  const int apex = static_cast<int>(polytope.corners.size()) - 1;
+  faces[face].is_outgrown = true;
+  if constexpr (Rec::kOn) record.outgrown.push_back(face);
+  for (int k = first; k < first + count; ++k) {
+    const int from = faces[face].corners[k % 3];
+    const int beyond = faces[face].neighbours[k % 3];
+    if (faces[beyond].is_outgrown) continue;
+    if (sees(polytope, beyond, polytope.corners[apex].w, 0)) {
+      outgrow(polytope, beyond, faces[beyond].edge_to(from) + 1, 2, record);
+      continue;
     }
-  }
-  std::vector<HorizonEdge>& ring = polytope.ring;
-  ring.clear();
-  for (const int face : seen) {
-    const Face<R>& gone = faces[face];
-    for (int i = 0; i < 3; ++i) {
-      const int beyond = gone.neighbours[i];
-      if (faces[beyond].is_outgrown) continue;
-      ring.push_back({gone.corners[i], gone.corners[(i + 1) % 3], beyond});
-    }
-  }
-  for (std::size_t k = 1; k < ring.size(); ++k) {
-    const auto next = std::find_if(ring.begin() + static_cast<long>(k), ring.end(),
-                                   [&](const HorizonEdge& e) { return e.from == ring[k - 1].to; });
-    std::swap(ring[k], *next);
+    const int added = static_cast<int>(faces.size());
+    faces[beyond].neighbours[faces[beyond].edge_to(from)] = added;
+    add_face(polytope, {from, faces[face].corners[(k + 1) % 3], apex},
+             {beyond, added + 1, added - 1});
+    if constexpr (Rec::kOn) record.added.push_back(added);
   }
 }
 
@@ -141,24 +89,13 @@ void outgrow(Polytope<R>& polytope, int first, const Vec<R, 3>& p) {
 template <class R, class Rec>
 void add_corner(Polytope<R>& polytope, int first, const gjk::SupportPoint<R, 3>& point,
                 Rec& record) {
-  outgrow(polytope, first, point.w);
-  if constexpr (Rec::kOn) record.outgrown = polytope.seen;
-  const int apex = static_cast<int>(polytope.corners.size());
+  const int begin = static_cast<int>(polytope.faces.size());
   polytope.corners.push_back(point);
-  const int base = static_cast<int>(polytope.faces.size());
-  const int count = static_cast<int>(polytope.ring.size());
-  for (int k = 0; k < count; ++k) {
-    const HorizonEdge& edge = polytope.ring[k];
-    const int added = add_face(polytope, {edge.from, edge.to, apex});
-    polytope.faces[added].neighbours = {edge.beyond, k + 1 < count ? added + 1 : base,
-                                        k > 0 ? added - 1 : base + count - 1};
-    Face<R>& beyond = polytope.faces[edge.beyond];
-    for (int i = 0; i < 3; ++i) {
-      if (beyond.corners[i] == edge.to && beyond.corners[(i + 1) % 3] == edge.from)
-        beyond.neighbours[i] = added;
-    }
-    if constexpr (Rec::kOn) record.added.push_back(added);
-  }
+  outgrow(polytope, first, 0, 3, record);
+  const int last = static_cast<int>(polytope.faces.size()) - 1;
+  polytope.faces[begin].neighbours[2] = last;
+  polytope.faces[last].neighbours[1] = begin;
+  std::erase_if(polytope.hull, [&](int face) { return polytope.faces[face].is_outgrown; });
 }
 
 }  // namespace detail
@@ -182,8 +119,8 @@ struct Record<R, 3> : Notes<R> {
 namespace detail {
 
 /// The first polytope, of the simplex and what it lacks to be a triangle: two faces back to back,
-/// and what other points of the simplex see of it. Z has no more dimensions than it where it has
-/// no area.
+/// and what other points of the simplex see of it. Z has no more dimensions than it where it has no
+/// area.
 template <class R, class S>
 void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S, 3>& query,
                 const gjk::Prepared<R, 3>& prepared, State<R, 3>& state) {
@@ -192,12 +129,15 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
   std::vector<Point>& corners = polytope.corners;
   corners.reserve(16);
   polytope.faces.reserve(64);
-  polytope.heap.reserve(64);
+  polytope.hull.reserve(64);
+  const auto has_area = [](const Vec<R, 3>& a, const Vec<R, 3>& b, const Vec<R, 3>& c) {
+    return !gjk::is_zero(space::face_plane<R>({a, b, c}).n);  // exact: no thin plane is rough
+  };
   const auto take = [&](const Point& point) {
     const std::size_t count = corners.size();
     const bool fits = count == 0 ||
                       (count == 1 && !gjk::is_zero(Vec<R, 3>(point.w - corners[0].w))) ||
-                      (count == 2 && !space::has_no_area<R>(corners[0].w, corners[1].w, point.w));
+                      (count == 2 && has_area(corners[0].w, corners[1].w, point.w));
     if (fits) corners.push_back(point);
     return fits;
   };
@@ -215,27 +155,15 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
     if (!look_along(beside)) look_along(gjk::cross(beside, edge));
   }
   while (corners.size() < 3) corners.push_back(Point(corners.back()));
-  for (const std::array<int, 3>& face : {std::array{0, 1, 2}, std::array{0, 2, 1}}) {
-    const int added = space::detail::add_face(polytope, face);
-    polytope.faces[added].neighbours.fill(1 - added);
-  }
+  space::detail::add_face(polytope, {0, 1, 2}, {1, 1, 1});
+  space::detail::add_face(polytope, {0, 2, 1}, {0, 0, 0});
   NoRecord none;
   for (const Point& point : points) {
-    for (int face = 0; face < static_cast<int>(polytope.faces.size()); ++face) {
-      if (polytope.faces[face].is_outgrown || !space::detail::sees(polytope, face, point.w))
-        continue;
-      space::detail::add_corner(polytope, face, point, none);
-      break;
-    }
+    const auto seeing = std::find_if(polytope.hull.begin(), polytope.hull.end(), [&](int face) {
+      return space::detail::sees(polytope, face, point.w);
+    });
+    if (seeing != polytope.hull.end()) space::detail::add_corner(polytope, *seeing, point, none);
   }
-}
-
-/// Makes all planes careful, as a trace shows them. No decision depends on it.
-template <class R>
-void measure_all(State<R, 3>& state) {
-  space::Polytope<R>& polytope = state.polytope;
-  for (space::Face<R>& face : polytope.faces) space::detail::make_careful(polytope, face);
-  std::make_heap(polytope.heap.begin(), polytope.heap.end(), space::detail::is_farther(polytope));
 }
 
 /// Corner i of the nearest face.
@@ -248,12 +176,11 @@ template <class R>
 template <class R, class Rec>
 void find_nearest(State<R, 3>& state, Rec& record) {
   const std::vector<space::Face<R>>& faces = state.polytope.faces;
-  if constexpr (Rec::kOn) {
-    for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
-      if (!faces[i].is_outgrown) record.faces.push_back(i);
-    }
-  }
-  state.face = space::detail::take_nearest(state.polytope);
+  const std::vector<int>& hull = state.polytope.hull;
+  if constexpr (Rec::kOn) record.faces = hull;
+  state.face = *std::min_element(hull.begin(), hull.end(), [&](int one, int other) {
+    return faces[one].distance_sq < faces[other].distance_sq;
+  });
   const Vec<R, 3>& a = nearest_corner(state, 0).w;
   const Vec<R, 3> ab = nearest_corner(state, 1).w - a;
   if constexpr (gjk::ScalarTraits<R>::kExact) {

@@ -11,7 +11,7 @@ namespace gjk {
 
 /// The simplex with its vertices of Z computed anew from the given ones, in the run's unit.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Simplex<DoubleWord<R>, D> careful_simplex(
+[[nodiscard, gnu::noinline, gnu::flatten]] Simplex<DoubleWord<R>, D> careful_simplex(
     const Simplex<R, D>& simplex, const Query<S, D>& query, const Prepared<R, D>& prepared) {
   const auto turned = [&](const Shape<S, D>& shape, int i) {
     return detail::careful_point<R, S, D>(shape, converted<R, S, D>(shape.vertices()[i]), prepared);
@@ -81,12 +81,37 @@ template <class R, class N, int D>
 /// Weights of O's projection in a simplex in N, negative ones set to 0 so that they make a point of
 /// the simplex. They add up to 1; for a degenerate simplex they are NaNs.
 template <class R, class N, int D>
-[[nodiscard, gnu::noinline]] std::array<R, D + 1> weights_of(const Simplex<N, D>& simplex) {
+[[nodiscard, gnu::noinline, gnu::flatten]] std::array<R, D + 1> weights_of(
+    const Simplex<N, D>& simplex) {
   const Barycentric<N, D> coordinates = barycentric(simplex, simplex.all());
   std::array<R, D + 1> weights{};
   R sum(0);
   for (int i = 0; i < simplex.count; ++i) {
     weights[i] = larger(ScalarTraits<R>::from(coordinates.numerator[i]), R(0));
+    sum = sum + weights[i];
+  }
+  for (R& weight : weights) weight = weight / sum;
+  return weights;
+}
+
+/// The same in a triangle whose plane holds O, up to rounding. The triangles of O and two vertices
+/// have areas, as vectors, along its normal: these have all digits once they are rounded.
+template <class R>
+[[nodiscard, gnu::noinline, gnu::flatten]] std::array<R, 4> weights_in_plane(
+    const Simplex<DoubleWord<R>, 3>& triangle) {
+  using Word = DoubleWord<R>;
+  Vec<Word, 3> normal = Vec<Word, 3>::Zero();
+  std::array<Vec<R, 3>, 3> areas;
+  for (int i = 0; i < 3; ++i) {
+    const Vec<Word, 3> area =
+        cross(triangle.vertices[(i + 1) % 3].w, triangle.vertices[(i + 2) % 3].w);
+    normal = normal + area;
+    areas[i] = converted<R, Word, 3>(area);
+  }
+  std::array<R, 4> weights{};
+  R sum(0);
+  for (int i = 0; i < 3; ++i) {
+    weights[i] = larger(dot(converted<R, Word, 3>(normal), areas[i]), R(0));
     sum = sum + weights[i];
   }
   for (R& weight : weights) weight = weight / sum;
