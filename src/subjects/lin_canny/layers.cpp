@@ -87,20 +87,20 @@ bool fill(SceneBuilder& scene, const Fonts&) {
               Polyline{{{x, grid.min.y()}, {x, grid.max.y()}}});
     // In narrow columns vertices alone have names.
     if (i < columns && (i % 2 == 0 || cell.x() > kNumber))
-      scene.add("shape.x.label", Text{{middle(i, 0).x(), grid.min.y() - 10.0},
-                                      letters_of(shown, true, i),
-                                      type::kName,
-                                      Align::center});
+      scene.add("plot.third.label", Text{{middle(i, 0).x(), grid.min.y() - 10.0},
+                                         letters_of(shown, true, i),
+                                         type::kName,
+                                         Align::center});
   }
   for (int i = 0; i <= rows; ++i) {
     const double y = grid.min.y() + i * cell.y();
     scene.add(i == 0 ? "plot.axis" : "chart.grid",
               Polyline{{{grid.min.x(), y}, {grid.max.x(), y}}});
     if (i < rows && (i % 2 == 0 || cell.y() > kRow))
-      scene.add("shape.y.label", Text{{grid.min.x() - 10.0, middle(0, i).y() + 6.0},
-                                      letters_of(shown, false, i),
-                                      type::kName,
-                                      Align::right});
+      scene.add("plot.fourth.label", Text{{grid.min.x() - 10.0, middle(0, i).y() + 6.0},
+                                          letters_of(shown, false, i),
+                                          type::kName,
+                                          Align::right});
   }
   Polyline way;
   const std::vector<models::WalkState> pairs = shown.pairs();
