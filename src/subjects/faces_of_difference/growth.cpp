@@ -112,9 +112,9 @@ GrowthQuestion question_of(Growing growing, const FaceGrowth::Value& samples) {
       return {n,
               1.0,
               1.0 * last.asked_for_depth,
-              {{{"as for the distance", 1.0 * last.asked_of_spheres},
+              {{{"a few", 1.0 * last.asked_of_spheres},
                 {"about n", n},
-                {"one for each face", 1.0 * last.of_spheres}}}};
+                {"all faces", 1.0 * last.of_spheres}}}};
     case Growing::general:
       break;
   }

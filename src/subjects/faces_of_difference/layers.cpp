@@ -146,7 +146,7 @@ void counted_bodies(SceneBuilder& scene, Growing growing) {
   }
   more.add("body.muted", Text{{card.min.x() + 14.0, card.max.y() - 14.0},
                               growing == Growing::general
-                                  ? std::string("combs: many convex parts each")
+                                  ? std::string("combs of boxes")
                                   : fmt::format("{}, n = {}",
                                                 growing == Growing::depth ? "spheres that overlap"
                                                                           : "lenses that cross",

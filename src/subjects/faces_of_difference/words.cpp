@@ -153,11 +153,10 @@ void growth(const Story& story, Growing growing, FrameText& text) {
       return;
     case Growing::general:
       text.caption =
-          "Bodies that are not convex: Z can have about n⁶ corners. Larsen knows no faster way to "
-          "its boundary.";
+          "Bodies that are not convex: Z can have about n⁶ corners. Larsen knows no faster way.";
       text.detail =
-          "Cut into n convex parts each, they have n · n differences of parts. Any three faces of "
-          "these may meet in a corner of Z: (n²)³ = n⁶. Convex bodies have n² at most.";
+          "n parts each have n · n differences. Any three of their faces may meet in a corner: "
+          "(n²)³ = n⁶. Convex bodies have n² at most.";
       return;
   }
 }

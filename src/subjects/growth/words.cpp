@@ -85,7 +85,7 @@ void slow(const Slowest& slowest, FrameText& text) {
                   slowest.built.iterations, slowest.built.vertices);
   text.detail = fmt::format(
       "X is a point. Each support point is only the next vertex, in turn on either side of P. "
-      "Larsen's n is right, and rare: {} at most in {} random runs.",
+      "Random runs take {} at most, of {}.",
       slowest.random.most_iterations, slowest.random.runs);
 }
 
@@ -93,8 +93,6 @@ void slow_question(const Slowest& slowest, FrameText& text) {
   const std::array<WayToGrow, 3> ways = ways_to_be_slow(slowest);
   const double least = slowest.random.most_iterations;
   ask_ways(kAskSlowest.name, ways, slowest.built.iterations / least, true, text);
-  text.question->refuted =
-      fmt::format("Twice as many as the worst random run are {}.", fixed(2.0 * least, 0));
   text.caption = fmt::format(
       "Question: the worst random run with n = {} needs {} iterations. A polygon is built to be "
       "slow: how many, then? Point at a place.",
@@ -111,9 +109,7 @@ void dots_question(const Story& story, FrameText& text) {
                                 {}};
   text.question->answer = text.question->choices[0];
   text.question->refuted = fmt::format(
-      "{} dot products with vertices of Y and {} with those of X find it: O(n + n). There are {} "
-      "differences, but one dot product knows no other vertex.",
-      y, x, y * x);
+      "One for each vertex of both: O(n + n). {} · {} would be one for each difference.", y, x);
   text.caption = fmt::format(
       "Question: Z is the hull of {} differences. How many dot products find the one farthest "
       "along d?",
@@ -152,7 +148,7 @@ void growth_question(const Story& story, FrameText& text) {
   } else if (ask == kAskScanned.name) {
     ask_ways(ask, ways, to.scanned_vertices / from.scanned_vertices, false, text);
     text.question->refuted =
-        fmt::format("Each support call scans n + n vertices, and calls grow from {} to {} only.",
+        fmt::format("A call scans n + n vertices, and calls grow from {} to {} only.",
                     fixed(from.support_calls, 1), fixed(to.support_calls, 1));
     text.caption = fmt::format(
         "Question: each support call scans all vertices. {}, how do the scanned vertices of a run "
@@ -161,9 +157,7 @@ void growth_question(const Story& story, FrameText& text) {
   } else {
     ask_ways(ask, ways, 1.0 * to.vertices / from.vertices, false, text);
     text.question->refuted = fmt::format(
-        "An edge of Z is one of X or one of Y, so Z has at most n + n = {}. With its outline "
-        "known, "
-        "one scan of them finds P, in O(n), too.",
+        "Each edge of Z is one of X or of Y, {} at most: a scan of a known outline is O(n), too.",
         grouped(2.0 * to.vertices));
     text.caption = fmt::format(
         "Question: if the outline of Z is known, one scan of its edges finds P. {}, how does this "

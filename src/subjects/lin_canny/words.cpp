@@ -153,9 +153,7 @@ class Telling {
     text_.caption =
         fmt::format("The walk looked at {} of {} · {} pairs: each is closer than the last.",
                     pairs.size(), shown_.features(true), shown_.features(false));
-    text_.detail =
-        "No pair comes twice, at two distances, so a walk takes all of them at most: O(n²), says "
-        "Larsen.";
+    text_.detail = "No pair comes twice, so all of them are the most: O(n²), says Larsen.";
   }
 
   void answer() {
@@ -208,8 +206,8 @@ void most_question(const Shown& shown, FrameText& text) {
   const auto most = std::max_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
     return count(a) < count(b);
   });
-  asked.refuted = fmt::format("One of the {} + {} features may come often: {} came in {} pairs.",
-                              of_x, of_y, shown.name(false, most->b), count(*most));
+  asked.refuted = fmt::format("One feature may come often: {} in {} pairs.",
+                              shown.name(false, most->b), count(*most));
   text.caption = fmt::format(
       "Question: {} has {} vertices and edges, {} has {}. How many pairs can a walk look at, at "
       "most?",

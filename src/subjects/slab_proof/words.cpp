@@ -45,9 +45,9 @@ void closer(const Story& story, const Shown& shown, FrameText& text) {
       is_vertex ? "to " + shown.name(c) : "along the segment to " + shown.name(c),
       story.numbers(shown.step->before.distance()), story.numbers(shown.step->after.distance()));
   text.detail = fmt::format(
-      "The segment lies in {0}, which is convex. Its end lies in the slab, as any point c there "
-      "would, so at {1} it makes less than 90° with the way to {2} and comes closer. Its point "
-      "closest to {2} is the new {1}.",
+      "The segment lies in {0}, which is convex. Its end c lies in the slab, so at {1} it makes "
+      "less "
+      "than 90° with the way to {2} and comes closer. Its point closest to {2} is the new {1}.",
       (c.of_x ? shown.lesson.x() : shown.lesson.y()).name, moving, other);
 }
 
@@ -58,7 +58,7 @@ void angle_question(const Shown& shown, const slab_proof::Step& step, FrameText&
   FrameQuestion& asked = *text.question;
   asked.choices = {"less than 90°", "90°", "more than 90°"};
   asked.answer = asked.choices[0];
-  asked.refuted = "At 90° it would lie on a side of the slab, at more outside of it.";
+  asked.refuted = "At 90° c lies on a side.";
   text.caption = fmt::format(
       "Question: {} lies in the slab. How large is the angle at {} between the ways to it and to "
       "{}?",
