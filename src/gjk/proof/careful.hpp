@@ -11,7 +11,7 @@ namespace gjk {
 
 /// The simplex with its vertices of Z computed anew from the given ones, in the run's unit.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline, gnu::flatten]] Simplex<DoubleWord<R>, D> careful_simplex(
+[[nodiscard, gnu::noinline]] Simplex<DoubleWord<R>, D> careful_simplex(
     const Simplex<R, D>& simplex, const Query<S, D>& query, const Prepared<R, D>& prepared) {
   const auto turned = [&](const Shape<S, D>& shape, int i) {
     return detail::careful_point<R, S, D>(shape, converted<R, S, D>(shape.vertices()[i]), prepared);
@@ -81,8 +81,7 @@ template <class R, class N, int D>
 /// Weights of O's projection in a simplex in N, negative ones set to 0 so that they make a point of
 /// the simplex. They add up to 1; for a degenerate simplex they are NaNs.
 template <class R, class N, int D>
-[[nodiscard, gnu::noinline, gnu::flatten]] std::array<R, D + 1> weights_of(
-    const Simplex<N, D>& simplex) {
+[[nodiscard, gnu::noinline]] std::array<R, D + 1> weights_of(const Simplex<N, D>& simplex) {
   const Barycentric<N, D> coordinates = barycentric(simplex, simplex.all());
   std::array<R, D + 1> weights{};
   R sum(0);
@@ -97,7 +96,7 @@ template <class R, class N, int D>
 /// The same in a triangle whose plane holds O, up to rounding. The triangles of O and two vertices
 /// have areas, as vectors, along its normal: these have all digits once they are rounded.
 template <class R>
-[[nodiscard, gnu::noinline, gnu::flatten]] std::array<R, 4> weights_in_plane(
+[[nodiscard, gnu::noinline]] std::array<R, 4> weights_in_plane(
     const Simplex<DoubleWord<R>, 3>& triangle) {
   using Word = DoubleWord<R>;
   Vec<Word, 3> normal = Vec<Word, 3>::Zero();

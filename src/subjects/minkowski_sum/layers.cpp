@@ -46,10 +46,9 @@ void summands(SceneBuilder& scene, const Shown& shown) {
     for (const Point& point : points) middle += point / static_cast<double>(points.size());
     scene.area(role, points);
     scene.outline(points);
-    const Point& corner = points[sign > 0.0 ? 0 : ring.size() - 1];
     scene.out.moving_labels.push_back(scene.label("summand:" + name, name, role + ".label",
-                                                  type::kVertex, corner, kVertexRadius,
-                                                  corner - middle));
+                                                  type::kVertex, points[0], kVertexRadius,
+                                                  points[0] - middle));
   };
   outline(shown.merge.y, 1.0, "shape.y", shown.lesson.y().name);
   outline(shown.merge.x, -1.0, "shape.x", "−" + shown.lesson.x().name);

@@ -420,44 +420,44 @@ class Asking {
                                  words_.vertex(2), of_all < 0.0 ? "right" : "left");
   }
 
-  /// The weights, two of them exchanged, and all without their signs.
+  /// The weights, and twice two of them exchanged: the sum is 1 each time.
   void solution() {
     const gjk::Barycentric<double, 2> weights =
         gjk::barycentric(in_plane(before_.simplex), before_.simplex.all());
     Eigen::Vector3d right;
     for (int i = 0; i < 3; ++i) right[i] = weights.numerator[i] / weights.denominator;
-    const Eigen::Vector3d exchanged(right[1], right[0], right[2]);
-    const auto listed = [&](const Eigen::Vector3d& each) {
-      return fmt::format("{}, {}, {}", story_.numbers.weight(each[0]),
-                         story_.numbers.weight(each[1]), story_.numbers.weight(each[2]));
-    };
-    const Eigen::Vector3d unsigned_ones = right.cwiseAbs();
-    asked_.choices = {listed(exchanged), listed(right), listed(unsigned_ones)};
+    const std::array<Eigen::Vector3d, 3> choices = {
+        Eigen::Vector3d(right[1], right[0], right[2]), right, {right[2], right[1], right[0]}};
+    std::array<std::string, 3> rows;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d& each = choices[k];
+      asked_.choices.push_back(fmt::format("{}, {}, {}", story_.numbers.weight(each[0]),
+                                           story_.numbers.weight(each[1]),
+                                           story_.numbers.weight(each[2])));
+      double sum = 0.0;
+      for (int i = 0; i < 3; ++i) sum += each[i] * at_vertex(i).x();
+      rows[k] = fixed(sum, 2);
+    }
     asked_.answer = asked_.choices[1];
-    const auto x = [&](int i) { return at_vertex(i).x(); };
-    const auto row = [&](const Eigen::Vector3d& each) {
-      return each[0] * x(0) + each[1] * x(1) + each[2] * x(2);
-    };
     std::string terms;
-    std::string points;
+    std::string given;
     for (int i = 0; i < 3; ++i) {
-      const double weight = right[i];
+      const std::string x = fixed(at_vertex(i).x(), 2);
       terms += fmt::format("{}{}·{}",
-                           i == 0         ? weight < 0.0 ? "−" : ""
-                           : weight < 0.0 ? " − "
-                                          : " + ",
-                           story_.numbers.weight(std::abs(weight)),
-                           x(i) < 0.0 ? fmt::format("({})", fixed(x(i), 2)) : fixed(x(i), 2));
-      points += fmt::format("{} = {}, ", words_.vertex(i), story_.numbers.point(at_vertex(i)));
+                           i == 0           ? right[i] < 0.0 ? "−" : ""
+                           : right[i] < 0.0 ? " − "
+                                            : " + ",
+                           story_.numbers.weight(std::abs(right[i])),
+                           at_vertex(i).x() < 0.0 ? "(" + x + ")" : x);
+      given += fmt::format("{} {}, ", words_.vertex(i), x);
     }
     text_.caption =
         fmt::format("Question: which u, v, w solve u{0} + v{1} + w{2} = {3} and u + v + w = 1?",
                     words_.vertex(0), words_.vertex(1), words_.vertex(2), story_.q);
-    text_.detail = fmt::format("{}{} = {}.      {}", points, story_.q, story_.numbers.point(q()),
+    text_.detail = fmt::format("In x: {}{} {}. {}", given, story_.q, fixed(q().x(), 2),
                                listed_choices(asked_.choices));
-    asked_.refuted = fmt::format(
-        "In x: {} = {} = {}.x. Exchanged weights give {}; without signs their sum is {}.", terms,
-        fixed(row(right), 2), story_.q, fixed(row(exchanged), 2), fixed(unsigned_ones.sum(), 3));
+    asked_.refuted =
+        fmt::format("In x: {} = {}. The others give {} and {}.", terms, rows[1], rows[0], rows[2]);
   }
 
  private:
