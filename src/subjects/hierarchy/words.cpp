@@ -127,9 +127,9 @@ class Telling {
       const models::Flaw flaw =
           models::check(shown_.search.model(of_x).outlines, models::Needs::simple);
       if (flaw.fault == models::Fault::none)
-        can += fmt::format(" {} has an inside to cut.", shown_.name(of_x));
+        can += fmt::format(" {} has one, with an inside to cut.", shown_.name(of_x));
       else
-        text_.caption = fmt::format("{} cannot be cut into pieces: {}.", shown_.name(of_x),
+        text_.caption = fmt::format("{} has no such outline: {}.", shown_.name(of_x),
                                     models::name_of(flaw.fault));
     }
     text_.caption += can;
@@ -398,7 +398,10 @@ void ask_for_pieces(const Shown& shown, FrameText& text, FrameQuestion& asked) {
                                : is_simple(false) ? 1
                                                   : 3];
   asked.refuted = "Cutting takes closed outlines that do not meet.";
-  text.caption = "Question: which of the two shapes can be cut into convex pieces? Point at it.";
+  text.caption =
+      "Question: which of the two has one outline that does not cross itself, to be cut into "
+      "convex "
+      "pieces? Point at it.";
 }
 
 void ask_for_pairs(const Shown& shown, FrameText& text, FrameQuestion& asked) {

@@ -169,10 +169,10 @@ void words(const Story& story, FrameText& text) {
   text.caption = fmt::format("{} moves by {}, and x {} by {}: from {} to {}.", run.lesson.y().name,
                              of_y, are_near ? "goes on" : "jumps", of_x,
                              words_of(x, last->closest.on_a), words_of(x, now.closest.on_a));
-  text.detail =
-      change + (are_near ? ""
-                         : fmt::format(" {} is no neighbour of {}.", name_of(x, now.closest.on_a),
-                                       name_of(x, last->closest.on_a)));
+  text.detail = change + (are_near ? ""
+                                   : fmt::format(" x passes no point between {} and {}.",
+                                                 name_of(x, last->closest.on_a),
+                                                 name_of(x, now.closest.on_a)));
 }
 
 void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) {
@@ -205,7 +205,9 @@ void ask_where_to_look(const Story& story, FrameText& text, FrameQuestion& asked
   const Feature& last = last_of(story.run, story.frame)->closest.on_a;
   const Feature& found = now.closest.on_a;
   const std::string name = name_of(x, last);
-  asked.choices = {name + " alone", name + " and its neighbours", "all of " + x.name};
+  asked.choices = {name + " alone",
+                   name + (last.is_vertex ? " and its two edges" : " and its two ends"),
+                   "all of " + x.name};
   const int count = static_cast<int>(x.vertices.size());
   asked.answer = asked.choices[found == last ? 0 : are_neighbours(found, last, count) ? 1 : 2];
   // The neighbours of an edge are its ends, so the edge holds them.
@@ -218,8 +220,8 @@ void ask_where_to_look(const Story& story, FrameText& text, FrameQuestion& asked
     for (const models::Segment& other : now.models.y.segments)
       least = std::min(least, models::nearest(now.models.x.segments[i], other).high);
   }
-  asked.refuted = fmt::format("On {} and its neighbours nothing is closer than {}.", name,
-                              story.numbers(least));
+  asked.refuted =
+      fmt::format("On {} nothing is closer than {}.", asked.choices[1], story.numbers(least));
   text.caption = fmt::format(
       "Question: {} held the closest point. {} has moved by {}: which features of {} have to be "
       "looked at?",

@@ -71,14 +71,16 @@ void stage(SceneBuilder& scene) {
   const Shown& shown = shown_in<Shown>(scene);
   if (!shown.has_points()) return;
   const slab_proof::State& now = shown.state();
-  if (shown.is(Phase::slab) || shown.is_answer) strip(scene, now.x, now.y);
+  const bool asks_for_vertex =
+      scene.frame.question >= 0 && scene.run.asked(scene.frame).ask == kAskVertex.name;
+  if (shown.is(Phase::slab) || shown.is_answer || asks_for_vertex) strip(scene, now.x, now.y);
   if (shown.is(Phase::slab)) {
     for (const Reach& reach : shown.step->reaches) {
       const auto& shape = reach.of_x ? scene.positioned.x().world : scene.positioned.y().world;
       scene.disk("slab.vertex", scene.at(shape[reach.vertex]), kSimplexRadius);
     }
   }
-  if (shown.is(Phase::closer)) {
+  if (shown.is(Phase::closer) && !asks_for_vertex) {
     const Reach& c = shown.step->towards;
     const Vector2d was = c.of_x ? shown.step->before.x : shown.step->before.y;
     const auto& shape = c.of_x ? scene.positioned.x().world : scene.positioned.y().world;
