@@ -275,6 +275,97 @@ std::vector<Shape> shapes_of(const Model& model, const Pieces& pieces) {
   return shapes;
 }
 
+/// Of the part of a ring from corner i to corner j, which its diagonal cuts off: the fewest pieces,
+/// and the corners of that beside the diagonal.
+struct Part {
+  int fewest = kNever;
+  Corners beside;
+  static constexpr int kNever = std::numeric_limits<int>::max() / 4;
+};
+
+class Fewest {
+ public:
+  explicit Fewest(Ring ring) : ring_(std::move(ring)), count_(ring_.size()) {
+    parts_.resize(static_cast<std::size_t>(count_ * count_));
+    for (int length = 1; length < count_; ++length) {
+      for (int i = 0; i + length < count_; ++i) part(i, i + length) = best(i, i + length);
+    }
+    collect(0, count_ - 1);
+  }
+  [[nodiscard]] std::vector<Corners> pieces() { return std::move(pieces_); }
+
+ private:
+  [[nodiscard]] const Point& at(int i) const { return ring_.points[i]; }
+  [[nodiscard]] Part& part(int i, int j) { return parts_[i * count_ + j]; }
+  [[nodiscard]] bool turns_out(int a, int b, int c) const { return turn(at(a), at(b), at(c)) >= 0; }
+
+  /// An edge, or a diagonal inside of the ring that touches no other edge.
+  [[nodiscard]] bool sees(int i, int j) const {
+    if (ring_.next(i) == j || ring_.next(j) == i) return true;
+    for (int k = 0; k < count_; ++k) {
+      const int next = ring_.next(k);
+      const bool is_shared = k == i || k == j || next == i || next == j;
+      if (!is_shared && meet({at(k), at(next)}, {at(i), at(j)})) return false;
+    }
+    const bool left_of_in = turn(at(ring_.previous(i)), at(i), at(j)) > 0;
+    const bool left_of_out = turn(at(i), at(ring_.next(i)), at(j)) > 0;
+    return turn(at(ring_.previous(i)), at(i), at(ring_.next(i))) > 0 ? left_of_in && left_of_out
+                                                                     : left_of_in || left_of_out;
+  }
+
+  /// Tries all convex pieces beside the diagonal, each as a chain of corners from i to j: `cost` of
+  /// a chain whose last two corners are a and b, and the corner before them.
+  [[nodiscard]] Part best(int i, int j) {
+    if (i + 1 == j) return {0, {}};
+    if (!sees(i, j)) return {};
+    std::map<std::pair<int, int>, std::pair<int, int>> chains;
+    const auto offer = [&](int a, int b, int cost, int before) {
+      const auto [chain, is_new] = chains.try_emplace({a, b}, cost, before);
+      if (!is_new && cost < chain->second.first) chain->second = {cost, before};
+    };
+    for (int b = i + 1; b < j; ++b) {
+      if (turns_out(j, i, b) && sees(i, b)) offer(i, b, part(i, b).fewest, -1);
+      for (int a = i; a < b; ++a) {
+        const auto chain = chains.find({a, b});
+        if (chain == chains.end()) continue;
+        const int cost = chain->second.first;
+        for (int c = b + 1; c <= j; ++c) {
+          if (turns_out(a, b, c) && (c < j || turns_out(b, j, i)) && sees(b, c))
+            offer(b, c, cost + part(b, c).fewest, a);
+        }
+      }
+    }
+    Part out;
+    for (int last = i + 1; last < j; ++last) {
+      const auto chain = chains.find({last, j});
+      if (chain == chains.end() || chain->second.first + 1 >= out.fewest) continue;
+      out = {chain->second.first + 1, {j}};
+      for (int a = last, b = j; a >= 0;) {
+        out.beside.push_back(a);
+        const int before = chains.at({a, b}).second;
+        b = a;
+        a = before;
+      }
+      std::reverse(out.beside.begin(), out.beside.end());
+    }
+    return out;
+  }
+
+  void collect(int i, int j) {
+    if (i + 1 == j) return;
+    const Corners& beside = part(i, j).beside;
+    Corners piece;
+    for (const int corner : beside) piece.push_back(ring_.index[corner]);
+    pieces_.push_back(std::move(piece));
+    for (std::size_t k = 1; k < beside.size(); ++k) collect(beside[k - 1], beside[k]);
+  }
+
+  Ring ring_;
+  int count_;
+  std::vector<Part> parts_;
+  std::vector<Corners> pieces_;
+};
+
 }  // namespace
 
 bool is_ear(const std::vector<Point>& points, const std::array<int, 3>& ear,
@@ -294,6 +385,20 @@ bool is_ear(const std::vector<Point>& points, const std::array<int, 3>& ear,
 }
 
 Pieces pieces_of(const Model& model) { return Cutter(model).cut(); }
+
+std::vector<std::vector<int>> fewest_pieces(const Outline& outline) {
+  return Fewest(ring_of(outline)).pieces();
+}
+
+std::vector<int> corners_turning_in(const Outline& outline) {
+  const Ring ring = ring_of(outline);
+  std::vector<int> out;
+  for (int i = 0; i < ring.size(); ++i) {
+    if (turn(ring.points[ring.previous(i)], ring.points[i], ring.points[ring.next(i)]) < 0)
+      out.push_back(ring.index[i]);
+  }
+  return out;
+}
 
 PiecesAnswer pieces_distance(const Model& a, const Model& b, const Pieces& pieces_a,
                              const Pieces& pieces_b) {

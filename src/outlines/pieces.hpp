@@ -33,6 +33,14 @@ struct Pieces {
 /// For a model whose outlines check(Needs::simple) takes. O(n^2).
 [[nodiscard]] Pieces pieces_of(const Model& model);
 
+/// The fewest convex pieces that diagonals cut a simple outline into, of all ways to cut it:
+/// without holes that is O(n^5), with holes and for solids it is NP-hard (Lingas 1982, Chazelle
+/// 1984). Corners count within the outline's points.
+[[nodiscard]] std::vector<std::vector<int>> fewest_pieces(const Outline& outline);
+/// The corners of a simple outline that turn in: a diagonal mends two of them at most, so there are
+/// at least 1 + half as many pieces.
+[[nodiscard]] std::vector<int> corners_turning_in(const Outline& outline);
+
 /// Whether the middle of three corners in a row of a ring can be cut off: it turns out, and no
 /// other corner lies in their triangle. Corners count within `points`. Exact.
 [[nodiscard]] bool is_ear(const std::vector<Point>& points, const std::array<int, 3>& ear,

@@ -63,6 +63,17 @@ bool is_open(const LessonRun& run, const WideTrace& trace, std::string_view ask,
     const WideState& after = trace.steps[step].after;
     return run.lesson.dimension == 2 && after.p_sq > 0.0 && after.d.squaredNorm() > 0.0;
   }
+  const WideStep& answer = trace.steps[step];
+  const bool is_of_segment = run.lesson.dimension == 2 && answer.after.simplex.count == 2;
+  if (ask == asks::kRightAngle.name) return is_of_segment && answer.after.p_sq > 0.0;
+  if (ask == asks::kNormals.name)
+    return is_of_segment && answer.record.direction.sign_is_arbitrary && answer.after.p_sq == 0.0;
+  constexpr std::size_t kTooMany = 4;  // vertices for a simplex of the plane
+  if (ask == asks::kMayBe.name)
+    return run.lesson.dimension == 2 && run.point_query() &&
+           run.lesson.y().vertices.size() >= kTooMany;
+  if (ask == asks::kIndex.name || ask == asks::kStart.name)
+    return run.point_query() && run.lesson.y().vertices.size() > 1;
   return ask == asks::kStop.name || ask == asks::kWhy.name ||
          state_before(trace, step).simplex.count > 1;
 }
@@ -72,10 +83,13 @@ bool tells(const WideTrace& trace, int step, std::string_view ask) {
     return i < trace.steps.size() && trace.steps[i].phase == phase;
   };
   const auto at = static_cast<std::size_t>(step);
-  if (ask == asks::kWhy.name)
+  if (ask == asks::kWhy.name || ask == asks::kStart.name)
     return at + 1 == trace.steps.size() && ends_by_itself(trace.steps.back().after.stop);
   if (ask == asks::kSupport.name) return is(at, gjk::Phase::support);
-  if (ask == asks::kDirection.name) return is(at, gjk::Phase::direction);
+  if (ask == asks::kDirection.name || ask == asks::kRightAngle.name || ask == asks::kNormals.name)
+    return is(at, gjk::Phase::direction);
+  if (ask == asks::kIndex.name) return is(at, gjk::Phase::add);
+  if (ask == asks::kMayBe.name) return at == 0 && is(at, gjk::Phase::closest);
   if (ask == asks::kRegion.name) return is(at, gjk::Phase::closest);
   if (ask == asks::kDropped.name)
     return is(at, gjk::Phase::closest) && is(at + 1, gjk::Phase::drop);
@@ -124,7 +138,9 @@ void add_question_frames(LessonRun& run) {
       const int answer =
           run.act->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
       if (answer < 0) continue;
-      frames.push_back(run.act->asking ? run.act->asking(run, run.frames[i]) : run.frames[i - 1]);
+      Frame asked = run.frames[i];
+      asked.question = q;
+      frames.push_back(run.act->asking ? run.act->asking(run, asked) : run.frames[i - 1]);
       frames.back().question = q;
       frames.back().answering_step = answer;
     }

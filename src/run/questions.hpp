@@ -30,9 +30,28 @@ inline constexpr AskInfo kFoot{"foot", "the foot of the perpendicular: where it 
 inline constexpr AskInfo kWhatIf{
     "what-if", "the place that the query point would have to move to for a weight to become 0",
     "at position"};
+inline constexpr AskInfo kReach{"reach", "how far the arrow from Q to a vertex reaches along n",
+                                "at position"};
+inline constexpr AskInfo kTurn{"turn", "which way Q and an edge turn, and so the sign of an area",
+                               "at position"};
+inline constexpr AskInfo kSolution{"solution", "the weights that solve the linear system",
+                                   "at position"};
+inline constexpr AskInfo kSlide{"slide", "which way Z slides when shapes move, dragged",
+                                "at position"};
+inline constexpr AskInfo kHolds{"holds", "whether Z holds s - t, so that moved shapes meet",
+                                "at position"};
+inline constexpr AskInfo kMeets{"meets", "the nearest place of p at which X touches Y",
+                                "at position"};
 inline constexpr AskInfo kDirection{"direction", "the search direction, dragged from P"};
+inline constexpr AskInfo kRightAngle{"right-angle",
+                                     "which way to compute d makes a right angle exactly"};
+inline constexpr AskInfo kNormals{"normals", "where either normal of a segment that holds Q leads"};
+inline constexpr AskInfo kMayBe{"may-be", "which points may be the simplex"};
+inline constexpr AskInfo kIndex{"index", "the index of the vertex that joins"};
+inline constexpr AskInfo kStart{"start", "where runs from other vertices end"};
 inline constexpr std::array kOfAnswers = {kClosestX, kClosestY};
-inline constexpr std::array kOfSteps = {kRegion, kDropped, kSupport, kStop, kWhy, kDirection};
+inline constexpr std::array kOfSteps = {kRegion,     kDropped, kSupport, kStop,  kWhy,  kDirection,
+                                        kRightAngle, kNormals, kMayBe,   kIndex, kStart};
 }  // namespace asks
 
 /// True for a step that tells what is asked for. P tells which vertices will be dropped, and what

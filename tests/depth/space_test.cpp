@@ -232,8 +232,9 @@ void expect_convex(const depth::space::Polytope<double>& polytope) {
                 0);
     }
     if (alive > 2) {
-      ASSERT_FALSE(depth::space::has_no_area<double>(polytope.at(face, 0), polytope.at(face, 1),
-                                                     polytope.at(face, 2)));
+      const auto plane = depth::space::face_plane<double>(
+          {polytope.at(face, 0), polytope.at(face, 1), polytope.at(face, 2)});
+      ASSERT_FALSE(gjk::is_zero(plane.n)) << "a face without an area";
     }
   }
   ASSERT_LE(2, alive);

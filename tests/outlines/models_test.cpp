@@ -363,6 +363,45 @@ TEST(Pieces, AreAtMostTwoForEachReflexCornerAndOneMore) {
 TEST(Pieces, AUIsThree) {
   const Outline u{{{0, 0}, {6, 0}, {6, 6}, {5, 6}, {5, 1}, {1, 1}, {1, 6}, {0, 6}}};
   EXPECT_EQ(3u, pieces_of(model_of({u})).pieces.size());
+  EXPECT_EQ(3u, fewest_pieces(u).size());
+  EXPECT_EQ((std::vector{4, 5}), corners_turning_in(u));
+}
+
+// Two of three corners that turn in share a cut, which the ears in their order miss.
+TEST(Pieces, TheFewestCanBeFewer) {
+  const Outline u{
+      {{28, 16}, {18, 16}, {18, -10}, {-26, -10}, {-26, 20}, {-36, -22}, {20, -17}, {28, -18}}};
+  EXPECT_EQ(4u, pieces_of(model_of({u})).pieces.size());
+  EXPECT_EQ(3u, fewest_pieces(u).size());
+  EXPECT_EQ(3u, corners_turning_in(u).size());
+}
+
+TEST(Pieces, TheFewestAreConvexAndMakeUpTheWhole) {
+  test::Scenes scenes(27);
+  int used = 0;
+  int fewer = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Outline outline = scenes.star(5 + i % 9, 0.4);
+    if (check({outline}, Needs::simple).fault != Fault::none) continue;
+    ++used;
+    const auto fewest = fewest_pieces(outline);
+    mpq_class sum = 0;
+    for (const std::vector<int>& piece : fewest) {
+      Outline part;
+      for (const int corner : piece)
+        part.points.push_back(outline.points[static_cast<std::size_t>(corner)]);
+      EXPECT_TRUE(is_convex(part)) << i;
+      sum += double_area(part.points);
+    }
+    EXPECT_EQ(abs(double_area(outline.points)), sum) << i;
+    const std::size_t found = pieces_of(model_of({outline})).pieces.size();
+    EXPECT_LE(fewest.size(), found) << i;
+    EXPECT_LE(found, 4 * fewest.size()) << i;
+    EXPECT_GE(fewest.size(), 1 + (corners_turning_in(outline).size() + 1) / 2) << i;
+    fewer += fewest.size() < found ? 1 : 0;
+  }
+  EXPECT_LE(150, used);
+  EXPECT_LE(1, fewer);
 }
 
 }  // namespace models_test

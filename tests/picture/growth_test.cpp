@@ -28,10 +28,11 @@ Lesson small_lesson() {
 struct RunTexts {
   explicit RunTexts(Lesson lesson)
       : run(run_lesson(std::move(lesson))), effects(run), texts(lesson_texts(run, effects)) {}
-  /// The text of a size, or of the outcome.
+  /// The text of a size, of the outcome, or of slow runs.
   [[nodiscard]] const FrameText& at(int detail) const {
-    const std::size_t sizes = run.lesson.table.as<LessonGrowth>()->vertices.size();
-    return texts[texts.size() - 1 - sizes + static_cast<std::size_t>(detail)];
+    const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
+    const std::size_t slow = sizes.front() <= SlowGrowth::kMost ? 1 : 0;
+    return texts[texts.size() - 1 - slow - sizes.size() + static_cast<std::size_t>(detail)];
   }
   [[nodiscard]] const Growth::Value& measured() { return effects.get<Growth>(run.frames.back()); }
 
@@ -64,7 +65,7 @@ TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
   RunTexts shown(small_lesson());
   const FrameText& outcome = shown.at(5);
   EXPECT_EQ(outcome.position,
-            fmt::format("outcome · {} of {}", shown.texts.size(), shown.texts.size()));
+            fmt::format("outcome · {} of {}", shown.texts.size() - 1, shown.texts.size()));
   const Growth::Value& measured = shown.measured();
   std::string last_kept;
   for (const Growth::Sample& sample : measured) {
@@ -99,10 +100,19 @@ TEST(GrowthPicture, PlotsShowWhatFramesHaveToldAndSetOffTheFramesOwn) {
     const int detail = shown_size(run, run.frames[i]).value_or(-1);
     const int shown = std::min(detail + 1, 5);
     EXPECT_EQ(count(frames[i], "plot.first"), 2 * (shown + 1)) << "in two plots, and by the name";
-    EXPECT_EQ(count(frames[i], "plot.fourth"), shown + 1);
+    // Slow runs are a series of their own, of two sizes.
+    EXPECT_EQ(count(frames[i], "plot.fourth"), shown + 1 + (detail == 6 ? 3 : 0));
     EXPECT_EQ(count(frames[i], "plot.first.label"), 2);
     EXPECT_EQ(count(frames[i], "plot.current"), detail >= 0 && detail < 5 ? 2 : 0);
   }
+}
+
+TEST(GrowthPicture, APolygonThatIsBuiltToBeSlowTakesAsManyIterationsAsVertices) {
+  RunTexts shown(small_lesson());
+  const SlowGrowth::Value& slow = shown.effects.get<SlowGrowth>(shown.run.frames.back());
+  ASSERT_EQ(slow.size(), 2u);
+  for (const SlowGrowth::Run& each : slow) EXPECT_EQ(each.iterations, each.vertices);
+  EXPECT_TRUE(holds(shown.at(6).caption, "10 with 10 vertices")) << shown.at(6).caption;
 }
 
 TEST(GrowthPicture, AsksHowIterationsGrowAtPlacesOfThePlot) {
@@ -114,8 +124,8 @@ TEST(GrowthPicture, AsksHowIterationsGrowAtPlacesOfThePlot) {
   ASSERT_NE(asks, shown.texts.end());
   EXPECT_EQ(asks->question->choices.size(), 3u);
   EXPECT_EQ(asks->question->subjects.size(), 3u);
-  EXPECT_NE(asks->question->answer, "as n");
-  EXPECT_TRUE(holds((asks + 1)->detail, "as n")) << "why not: " << (asks + 1)->detail;
+  EXPECT_NE(asks->question->answer, "like n");
+  EXPECT_TRUE(holds((asks + 1)->detail, "like n")) << "why not: " << (asks + 1)->detail;
 }
 
 TEST(GrowthPicture, OtherLessonsMeasureNothing) {

@@ -117,6 +117,55 @@ TEST(QuestionFrames, AWeightIsZeroOnTheEdgeOfTheOtherVertices) {
   EXPECT_GT(questions, 5);
 }
 
+TEST(QuestionFrames, OneTurnsRightAtAnEdgeThatQLiesBeyond) {
+  const LessonRun run = run_lesson(asking("triangle-barycentric", {{"turn", {}}}));
+  const std::vector<FrameText> texts = testing::texts_of(run);
+  std::map<std::string, int> answers;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!texts[i].question) continue;
+    const PositionedRun& at = run.run(run.frames[i]);
+    const Eigen::Vector2d q = in_plane(at.x().world[0]);
+    const std::vector<Eigen::Vector2d> t = in_plane(at.y().world);
+    const double least = std::min({area(q, t[1], t[2]), area(q, t[2], t[0]), area(q, t[0], t[1])});
+    EXPECT_EQ(texts[i].question->answer,
+              least < 0.0 ? "right: it is negative" : "left: it is positive");
+    ++answers[texts[i].question->answer];
+  }
+  EXPECT_EQ(answers["right: it is negative"], 7);  // nothing asks of the first position, inside
+}
+
+TEST(QuestionFrames, OfAMoveAreAskedWhereItBegins) {
+  const LessonRun run = run_lesson(asking("minkowski-translate", {{"slide", {}}, {"holds", {}}}));
+  const std::vector<FrameText> texts = testing::texts_of(run);
+  std::map<std::string, int> asked;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!texts[i].question) continue;
+    const FrameQuestion& question = *texts[i].question;
+    ++asked[question.ask];
+    const PositionedRun& from = run.run(run.frames[i]);
+    const PositionedRun& to = run.runs[static_cast<std::size_t>(run.frames[i].run) + 1];
+    if (question.ask == "slide") {
+      const Eigen::Vector3d by = to.y().placement.translate - from.y().placement.translate -
+                                 to.x().placement.translate + from.x().placement.translate;
+      EXPECT_LT((*question.place - *question.origin - in_plane(by)).norm(), 1e-14);
+    } else {
+      EXPECT_EQ(question.answer.starts_with("they will touch"), to.trace.result.distance == 0.0);
+    }
+  }
+  EXPECT_EQ(asked["slide"], 6);  // once both move alike, and Z stays
+  EXPECT_EQ(asked["holds"], 7);
+}
+
+TEST(QuestionFrames, RunsFromEachVertexEndAtTheSameP) {
+  for (const std::string id : {"polygon-evolution", "simplex", "stop-repeated"}) {
+    Lesson lesson = asking(id, {{"start", {}}});
+    lesson.phases.clear();
+    const std::vector<Asked> all = asked(lesson);
+    ASSERT_EQ(all.size(), 1u) << id;
+    EXPECT_EQ(all[0].question.question->answer, "at the same P") << id;
+  }
+}
+
 TEST(QuestionFrames, WhyARunEndsHasOneTrueReasonAndTwoThatItRefutes) {
   const std::map<std::string, std::string> reasons = {
       {"stop-repeated", "no vertex lies farther along d than P"},

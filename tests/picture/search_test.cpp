@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -14,6 +15,7 @@
 #include "outlines/brute.hpp"
 #include "subjects/hierarchy/lesson_trace.hpp"
 #include "subjects/hierarchy/shown.hpp"
+#include "subjects/methods/closest_pairs.hpp"
 #include "subjects/methods/lesson_trace.hpp"
 #include "texts.hpp"
 
@@ -178,6 +180,72 @@ TEST(SearchFrames, AskAboutHalvesWhatTheirVisitsSay) {
     EXPECT_GT(asked, 3);
   }
   EXPECT_GE(answers.size(), 5u);
+}
+
+/// What questions besides visits answer, by the search itself.
+TEST(SearchFrames, AskBeforeTheFirstVisitAndAfterTheLast) {
+  std::map<std::string, std::string> answers;
+  for (const std::string id : {"hierarchy-collide", "hierarchy-distance", "sphere-tree"}) {
+    for (const FrameText& text : testing::texts_of(run_lesson(testing::shipped_lesson(id)))) {
+      if (text.question) answers[text.question->ask] = text.question->answer;
+    }
+  }
+  EXPECT_EQ(answers["cut-to-pieces"], "star");
+  EXPECT_EQ(answers["all-pairs"], "120");
+  EXPECT_EQ(answers["node"], "level 2");
+  EXPECT_EQ(answers["tiles"], std::to_string(static_cast<int>(std::ceil(3.4 / 0.8))));
+  EXPECT_EQ(answers["split"], "the level line");
+  const LessonRun boxes = run_lesson(testing::shipped_lesson("hierarchy-distance"));
+  const TracedSearch& search = *search_trace(boxes, 0);
+  models::SearchOptions collide;
+  collide.goal = models::Goal::collide;
+  EXPECT_EQ(answers["wider"],
+            std::to_string(models::search<models::Box>(search.x, search.y, collide).visits));
+  const LessonRun run = run_lesson(testing::shipped_lesson("sphere-tree"));
+  const TracedSearch& tiled = *search_trace(run, 0);
+  EXPECT_LT(tiled.trace.result.measured, tiled.tile_sizes.back().result.measured);
+  EXPECT_EQ(answers["tile-size"], "more");
+  EXPECT_LT(tiled.of_circles.visits, std::min(tiled.of_boxes.visits, tiled.trace.result.visits));
+  EXPECT_EQ(answers["volume"], "circles of segments");
+  for (const TileSize& size : tiled.tile_sizes) {
+    EXPECT_EQ(size.result.answer.distance, tiled.trace.result.answer.distance) << size.radius;
+    if (size.radius == 0.4) {
+      EXPECT_EQ(size.result.visits, tiled.trace.result.visits);
+    }
+  }
+}
+
+TEST(SearchFrames, CountTheOperationsOfTwoTests) {
+  const models::Box a{{0, 0}, {1, 1}};
+  EXPECT_EQ(searches::tests_of(a, {{2, 0}, {3, 1}}).meet, 1);
+  EXPECT_EQ(searches::tests_of(a, {{-2, 0}, {-1, 1}}).meet, 2);
+  EXPECT_EQ(searches::tests_of(a, {{0, -2}, {1, -1}}).meet, 4);
+  EXPECT_EQ(searches::tests_of(a, {{0.5, 0.5}, {3, 3}}).meet, 4);
+  // Of each axis two differences and two maxima; two squares, a sum, a root.
+  EXPECT_EQ(searches::tests_of(a, {{2, 2}, {3, 3}}).distance, 12);
+}
+
+TEST(ClosestPairs, JumpWhereNoNeighbourIsClosest) {
+  const LessonRun run = run_lesson(testing::shipped_lesson("closest-jumps"));
+  int jumps = 0;
+  for (int i = 1; i < static_cast<int>(run.runs.size()); ++i) {
+    const models::Answer& last = all_pairs_trace(run, i - 1).closest;
+    const models::Answer& now = all_pairs_trace(run, i).closest;
+    const double step = 2.0 / static_cast<double>(run.runs.size() - 1);
+    EXPECT_LE(std::abs(now.distance - last.distance), step + 1e-12) << "it is continuous";
+    const double way = (now.a - last.a).norm();
+    EXPECT_EQ(way > 5.0 * step, !(now.on_a == last.on_a)) << i;
+    jumps += now.on_a == last.on_a ? 0 : 1;
+  }
+  EXPECT_EQ(jumps, 2);
+  for (const FrameText& text : testing::texts_of(run)) {
+    if (text.question && text.question->ask == "look-at") {
+      EXPECT_EQ(text.question->answer, "all of X");
+    }
+    if (text.question && text.question->ask == "closest-x") {
+      EXPECT_EQ(text.question->answer, "EF");
+    }
+  }
 }
 
 TEST(SearchFrames, ThePairThatComesNextIsThatOfTheNextVisit) {

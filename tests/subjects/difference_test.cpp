@@ -144,7 +144,7 @@ TEST(LastPosition, ShapesThatDoNotTurnSlideTheDifference) {
                  : last->x_by == Vector2d(0, 0) ? "obstacle"
                                                 : "each its own way");
   }
-  EXPECT_EQ(kinds, (std::set<std::string>{"both", "robot", "obstacle"}));
+  EXPECT_EQ(kinds, (std::set<std::string>{"both", "robot", "obstacle", "each its own way"}));
 }
 
 TEST(LastPosition, ATurnDoesMoreThanSlide) {

@@ -132,7 +132,7 @@ TEST(FacesOfDifference, HaveWordsAndPicturesForAnyShapes) {
     }
     LessonRun run = run_lesson(std::move(lesson));
     if (!why_not_drawn(run.runs[0]).empty()) continue;
-    if (run.frames.size() > 1) run.frames.pop_back();  // that of growth
+    std::erase_if(run.frames, [](const Frame& frame) { return frame.part >= 0; });  // growth
     EffectGraph effects(run);
     for (const FramePicture& frame : lesson_pictures(run, effects, testing::fonts()))
       EXPECT_FALSE(frame.text.caption.empty());
@@ -157,6 +157,9 @@ TEST(FaceGrowth, IsLikeNForSpheresAndLikeItsSquareForLenses) {
     EXPECT_LT(sample.of_spheres, 12.0 * n);
     EXPECT_LT(sample.asked_of_lenses, 20);
     EXPECT_LT(sample.asked_of_spheres, 20);
+    EXPECT_GT(sample.asked_for_depth, sample.asked_of_spheres);
+    EXPECT_GT(sample.asked_for_depth, 0.4 * n);
+    EXPECT_LT(sample.asked_for_depth, 1.2 * n);
     if (n <= 20) continue;
     EXPECT_NEAR(sample.of_lenses, 0.5 * n * n, 0.15 * n * n);
   }

@@ -146,7 +146,7 @@ TEST(Growth, IsMeasuredOnceAndOnlyWhenAsked) {
   EXPECT_EQ(graph.count(Growth::kName).runs, 1);
 }
 
-TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
+TEST(Growth, FramesAreTheSupportStepsThenTheSizesTheOutcomeAndSlowRuns) {
   Lesson lesson = small_lesson();
   lesson.questions.clear();
   const LessonRun run = run_lesson(lesson);
@@ -155,7 +155,7 @@ TEST(Growth, FramesAreTheSupportStepsThenTheSizesThenTheOutcome) {
   const auto sizes = std::find_if(run.frames.begin(), run.frames.end(), [&](const Frame& frame) {
     return shown_size(run, frame).has_value();
   });
-  ASSERT_EQ(run.frames.end() - sizes, 4);
+  ASSERT_EQ(run.frames.end() - sizes, 5);
   EXPECT_EQ(sizes - run.frames.begin(), support_calls(run.runs[0].trace) + 2);
   EXPECT_EQ(run.frames.front().step, -1);
   EXPECT_EQ((sizes - 1)->step, last);

@@ -216,6 +216,9 @@ TEST(SpaceWalkGrowth, PairsDoNotGrowWithTheBodiesWhenTheWalkStartsFromTheLast) {
     EXPECT_GE(sample.pairs, 1.0);
     EXPECT_LE(sample.warm, sample.cold);
     EXPECT_LE(sample.pairs, std::sqrt(sample.vertices));
+    EXPECT_LE(sample.small_moves, 1.5) << "moves as small as features";
+    EXPECT_GT(sample.first_pair, std::sqrt(sample.vertices));
+    EXPECT_LT(sample.first_pair, 5.0 * std::sqrt(sample.vertices));
   }
 }
 

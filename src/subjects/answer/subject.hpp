@@ -33,6 +33,9 @@ namespace captions {
 
 void answer(const Story& story, FrameText& text);
 void witness(const Story& story, FrameText& text);
+/// Before a move: which way Z slides; whether Z holds s − t.
+void slide_question(const Story& story, FrameText& text);
+void holds_question(const Story& story, FrameText& text);
 
 }  // namespace captions
 

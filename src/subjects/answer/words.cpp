@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "outlines/polygon.hpp"
 #include "picture/story.hpp"
+#include "run/questions.hpp"
 #include "subjects/answer/act.hpp"
 #include "subjects/answer/cold_start.hpp"
 #include "subjects/answer/subject.hpp"
@@ -93,6 +95,12 @@ void warm_start(const Story& story, FrameText& text) {
                              last + 1, warm_sum, cold_sum);
 }
 
+/// By what Z slides to a position: not where a shape turns.
+Vector2d slide_of_move(const Story& story, int run) {
+  const LastPosition::Value& last = story.effects.get<LastPosition>({.run = run});
+  return last->turned ? Vector2d(Vector2d::Zero()) : Vector2d(last->y_by - last->x_by);
+}
+
 /// How the shapes, and with them Z, moved since the last position.
 std::string moves(const Story& story) {
   const Lesson& lesson = story.run.lesson;
@@ -127,21 +135,39 @@ void slide(const Story& story, FrameText& text) {
           : fmt::format("Z = {} − {}. Drawn around the {}, it is the {} grown by the {}.",
                         lesson.y().name, lesson.x().name, lesson.y().name, lesson.y().name,
                         lesson.x().name);
+  const bool slides = story.frame.run > 0 && slide_of_move(story, story.frame.run).norm() > 0.0;
   if (distance > 0.0) {
     text.caption = change;
     text.detail =
-        fmt::format("Three times the same distance, {}: {} to {}, p to the grown {}, O to Z.",
-                    story.numbers(distance), lesson.x().name, lesson.y().name, lesson.y().name);
+        fmt::format("{} times the same distance, {}: {} to {}, p to the grown {}, O to Z{}.",
+                    slides ? "Four" : "Three", story.numbers(distance), lesson.x().name,
+                    lesson.y().name, lesson.y().name, slides ? ", s − t to the dashed Z" : "");
   } else if (story.trace.result.verdict == gjk::Verdict::touching) {
     text.caption = fmt::format(
         "The {} touches the {}: p lies on the boundary of the grown {}, O on that of Z.",
         lesson.x().name, lesson.y().name, lesson.y().name);
-    text.detail = change + " All three distances are 0.";
+    text.detail = change + (slides ? " s − t lies on the boundary of the dashed Z."
+                                   : " All three distances are 0.");
   } else {
     text.caption = fmt::format("The {} and the {} overlap: p lies inside the grown {}, O inside Z.",
                                lesson.x().name, lesson.y().name, lesson.y().name);
-    text.detail = change + " All three distances are 0.";
+    text.detail =
+        change + (slides ? " s − t lies inside the dashed Z." : " All three distances are 0.");
   }
+}
+
+/// "the robot will move by s = (0.75, 1.25)"
+std::string coming_moves(const Story& story, const LastPosition::Positions& next) {
+  std::string out;
+  const auto add = [&](const std::string& name, std::string_view letter,
+                       const Eigen::Vector2d& by) {
+    if (by.norm() == 0.0) return;
+    out += fmt::format("{}the {} {}by {} = {}", out.empty() ? "" : ", ", name,
+                       out.empty() ? "will move " : "", letter, story.numbers.point(by));
+  };
+  add(story.run.lesson.x().name, "s", next.x_by);
+  add(story.run.lesson.y().name, "t", next.y_by);
+  return out;
 }
 
 /// "0.317 L + 0.683 K"
@@ -192,6 +218,48 @@ void carried_back(const Story& story, bool of_x, FrameText& text) {
 }
 
 }  // namespace
+
+void slide_question(const Story& story, FrameText& text) {
+  const LastPosition::Value& next = story.effects.get<LastPosition>({.run = story.frame.run + 1});
+  const Vector2d by = slide_of_move(story, story.frame.run + 1);
+  const Vector2d left(-by.y(), by.x());
+  const Vector2d from = centroid(next->z);
+  std::vector<Vector2d> ways = {by, -by, left, -left};
+  std::sort(ways.begin(), ways.end(),
+            [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(asks::kSlide.name), {}, {}});
+  for (const Vector2d& way : ways) {
+    asked.choices.push_back("by " + story.numbers.point(way));
+    asked.spots.push_back(Spot{ViewKind::difference, from, Vector2d(from + way)});
+    if (way == by) asked.answer = asked.choices.back();
+  }
+  asked.origin = from;
+  asked.place = from + by;
+  text.caption = fmt::format("Question: {}. Which way will Z slide? Drag it from the middle of Z.",
+                             coming_moves(story, *next));
+  asked.refuted = fmt::format("Each y − x changes by {} = {}.",
+                              next->x_by.norm() == 0.0   ? "t"
+                              : next->y_by.norm() == 0.0 ? "−s"
+                                                         : "t − s",
+                              story.numbers.point(by));
+}
+
+void holds_question(const Story& story, FrameText& text) {
+  const LastPosition::Value& next = story.effects.get<LastPosition>({.run = story.frame.run + 1});
+  const WideResult& result = story.run.runs[story.frame.run + 1].trace.result;
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{std::string(asks::kHolds.name), {}, {}});
+  asked.choices = {"they will be apart: s − t is outside of Z",
+                   "they will touch: s − t is on its boundary",
+                   "they will overlap: s − t is inside"};
+  asked.answer = asked.choices[result.distance > 0.0                      ? 0
+                               : result.verdict == gjk::Verdict::touching ? 1
+                                                                          : 2];
+  text.caption =
+      fmt::format("Question: {}, so s − t = {}, which is marked. Will they meet?",
+                  coming_moves(story, *next), story.numbers.point(next->x_by - next->y_by));
+}
 
 void answer(const Story& story, FrameText& text) {
   if (story.run.lesson.warm_start) return warm_start(story, text);

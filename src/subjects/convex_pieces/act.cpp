@@ -49,14 +49,15 @@ std::string Shown::piece(bool of_x, int index) const {
 
 namespace {
 
-constexpr std::array kAsks = {kAskDiagonal, kAskPair, kAskEar};
+constexpr std::array kAsks = {kAskDiagonal, kAskPair, kAskEar, kAskFewest};
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
-  const PiecesPhase phase = question.ask == kAskPair.name  ? PiecesPhase::pair
-                            : question.ask == kAskEar.name ? PiecesPhase::triangle
-                                                           : PiecesPhase::merge;
+  const PiecesPhase phase = question.ask == kAskPair.name     ? PiecesPhase::pair
+                            : question.ask == kAskEar.name    ? PiecesPhase::triangle
+                            : question.ask == kAskFewest.name ? PiecesPhase::fewest
+                                                              : PiecesPhase::merge;
   if (!shown.is(phase)) return -1;
   // With holes outlines are cut along bridges, too: there corners do not say what is cut off.
   if (phase == PiecesPhase::triangle && (!shown.trace.of(shown.step->of_x).bridges.empty() ||
@@ -68,7 +69,10 @@ int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
 
 const Act kAct{
     .name = "convex-pieces",
-    .meaning = "triangle cut off, then diagonal, then pair of convex pieces; then the distance",
+    .meaning =
+        "triangle cut off, then diagonal, then the fewest pieces where they are fewer, then pair "
+        "of "
+        "convex pieces; then the distance",
     .needs = {.most_vertices = 24, .why_no_until = "frames show all pairs"},
     .add_frames = add_algorithm_frames,
     .follows_run = true,
@@ -93,6 +97,8 @@ const SubjectParts subjects::convex_pieces{
     .blocks = {&parts::kPieces},
     .listings = {&parts::kListing},
     .legend = {{"piece.diagonal", "diagonal that stays"},
+               {"piece.fewest", "cut into the fewest pieces"},
+               {"piece.turning-in", "corner that turns in"},
                {"piece.gone", "diagonal taken away"},
                {"piece.box", "box around a piece"}},
 };

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "subjects/convex_pieces/shown.hpp"
 #include "subjects/run/subject.hpp"
 
@@ -33,6 +35,13 @@ void counts(PanelBuilder& panel) {
     for (int i = 0; i < shown.over(PiecesPhase::merge, of_x); ++i) gone += merges[i].merged ? 1 : 0;
   }
   panel.row("diagonals taken away", std::to_string(gone));
+  const bool knows_fewest = shown.over(PiecesPhase::fewest) > 0;
+  for (const bool of_x : {true, false}) {
+    const std::size_t fewest = shown.trace.fewest_of(of_x).size();
+    if (shown.over(PiecesPhase::pair) > 0 || !knows_fewest || fewest == 0) continue;
+    panel.row(fmt::format("pieces of {}: found, fewest", shown.shape(of_x).name),
+              fmt::format("{}, {}", shown.trace.of(of_x).pieces.size(), fewest));
+  }
   int skipped = 0;
   const int pairs = shown.over(PiecesPhase::pair);
   for (int i = 0; i < pairs; ++i) skipped += shown.trace.result.runs[i].skipped ? 1 : 0;

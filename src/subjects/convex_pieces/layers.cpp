@@ -47,6 +47,26 @@ void diagonals(SceneBuilder& scene, const Shown& shown, bool of_x) {
   }
 }
 
+/// The cuts into the fewest pieces, and the corners that make them needed.
+void fewest(SceneBuilder& scene, const Shown& shown) {
+  const bool of_x = shown.step->of_x;
+  const models::Pieces& pieces = shown.trace.of(of_x);
+  const int count = static_cast<int>(pieces.points.size());
+  for (const std::vector<int>& piece : shown.trace.fewest_of(of_x)) {
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const int from = piece[i];
+      const int to = piece[(i + 1) % piece.size()];
+      // Both pieces beside a cut have it, one in each direction.
+      const bool is_cut = from < to && to - from != 1 && to - from != count - 1;
+      if (!is_cut) continue;
+      const std::vector<Point> ends = points_of(scene, pieces, std::array{from, to});
+      scene.line("piece.fewest", ends[0], ends[1]);
+    }
+  }
+  for (const Point& corner : points_of(scene, pieces, shown.trace.turning_in[of_x ? 0 : 1]))
+    scene.disk("piece.turning-in", corner, kSimplexRadius);
+}
+
 void pair_line(SceneBuilder& scene, const std::string& role, const std::string& id,
                const models::PieceRun& run) {
   const Point x = scene.at(run.x);
@@ -92,6 +112,7 @@ void stage(SceneBuilder& scene) {
   }
   if (shown.is(PiecesPhase::pair)) pair(scene, shown);
   for (const bool of_x : {true, false}) diagonals(scene, shown, of_x);
+  if (shown.is(PiecesPhase::fewest)) fewest(scene, shown);
   if (shown.is_answer && shown.least() != nullptr)
     pair_line(scene, "closest.line", "least", *shown.least());
 }

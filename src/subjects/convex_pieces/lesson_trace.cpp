@@ -8,7 +8,7 @@ namespace {
 
 using fields::Json;
 
-constexpr std::array<std::string_view, 3> kPhases = {"triangle", "merge", "pair"};
+constexpr std::array<std::string_view, 4> kPhases = {"triangle", "merge", "fewest", "pair"};
 constexpr std::array<std::string_view, 3> kAnswers = {"distance", "pieces", "runs"};
 constexpr std::array<PlaceholderInfo, 3> kValues = {
     {{"triangles", "triangles that both shapes are cut into by now"},
@@ -37,6 +37,13 @@ PiecesTrace::PiecesTrace(std::optional<Refusal> refused, const OutlinesOfRun& ou
     if (of(of_x).triangles.size() > 1) add(PiecesPhase::triangle, of_x, of(of_x).triangles.size());
   }
   for (const bool of_x : {true, false}) add(PiecesPhase::merge, of_x, of(of_x).merges.size());
+  for (const bool of_x : {true, false}) {
+    const models::Model& model = of_x ? outlines.x : outlines.y;
+    if (model.outlines.size() != 1) continue;
+    fewest[of_x ? 0 : 1] = models::fewest_pieces(model.outlines.front());
+    turning_in[of_x ? 0 : 1] = models::corners_turning_in(model.outlines.front());
+    if (fewest_of(of_x).size() < of(of_x).pieces.size()) add(PiecesPhase::fewest, of_x, 1);
+  }
   add(PiecesPhase::pair, false, result.runs.size());
 }
 
@@ -65,6 +72,11 @@ Json PiecesTrace::step_json(const Lesson& lesson, int index) const {
             {"diagonal", corners_name(shape, std::array{merge.from, merge.to})},
             {"taken_away", merge.merged}};
   }
+  if (step.phase == PiecesPhase::fewest)
+    return {{"of", shape.name},
+            {"found", pieces.pieces.size()},
+            {"fewest", fewest_of(step.of_x).size()},
+            {"corners_turning_in", turning_in[step.of_x ? 0 : 1].size()}};
   const models::PieceRun& run = result.runs[at];
   Json out = {{"x", corners_name(lesson.x(), x.pieces[run.a])},
               {"y", corners_name(lesson.y(), y.pieces[run.b])},

@@ -2,6 +2,7 @@
 // outlines/pieces.hpp on the shapes of a lesson: cut into triangles, merged into convex pieces, and
 // the least distance over pairs of pieces.
 
+#include <array>
 #include <optional>
 
 #include "outlines/pieces.hpp"
@@ -12,13 +13,14 @@ namespace gjkscope {
 /// Closed outlines that do not meet themselves or each other; holes are taken.
 extern const Algorithm kConvexPiecesAlgorithm;
 
-enum class PiecesPhase : std::uint8_t { triangle, merge, pair };
+enum class PiecesPhase : std::uint8_t { triangle, merge, fewest, pair };
 
-/// One triangle cut off, one diagonal asked about, or one pair of pieces.
+/// One triangle cut off, one diagonal asked about, a shape that fewer pieces would do for, or one
+/// pair of pieces.
 struct PiecesStep {
   PiecesPhase phase = PiecesPhase::triangle;
   bool of_x = true;  ///< Not of a pair.
-  int index = 0;     ///< In Pieces::triangles, Pieces::merges or PiecesAnswer::runs.
+  int index = 0;     ///< In Pieces::triangles, Pieces::merges or PiecesAnswer::runs; else 0.
 };
 
 class PiecesTrace final : public OutlineTrace {
@@ -34,7 +36,15 @@ class PiecesTrace final : public OutlineTrace {
   models::PiecesAnswer result;
   std::vector<PiecesStep> all;
 
+  /// The fewest pieces there can be, and corners that turn in; of shapes that are no single outline
+  /// none.
+  std::array<std::vector<std::vector<int>>, 2> fewest;
+  std::array<std::vector<int>, 2> turning_in;
+
   [[nodiscard]] const models::Pieces& of(bool of_x) const { return of_x ? x : y; }
+  [[nodiscard]] const std::vector<std::vector<int>>& fewest_of(bool of_x) const {
+    return fewest[of_x ? 0 : 1];
+  }
 
  protected:
   [[nodiscard]] fields::Json step_json(const Lesson& lesson, int index) const override;

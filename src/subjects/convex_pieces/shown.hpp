@@ -10,6 +10,8 @@ namespace gjkscope::parts {
 
 inline constexpr AskInfo kAskDiagonal{"diagonal", "whether a diagonal can be taken away", "of"};
 inline constexpr AskInfo kAskEar{"ear", "which corner can be cut off as an ear", "of"};
+inline constexpr AskInfo kAskFewest{"fewest-pieces",
+                                    "into how few convex pieces a shape can be cut", "of"};
 inline constexpr AskInfo kAskPair{"piece-pair", "whether a pair of pieces is run or skipped", "of"};
 
 /// The part of the work that a frame shows.

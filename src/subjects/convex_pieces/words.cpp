@@ -37,6 +37,15 @@ void merge(const Shown& shown, FrameText& text) {
   }
 }
 
+void fewest(const Shown& shown, FrameText& text) {
+  const std::size_t found = shown.trace.of(shown.step->of_x).pieces.size();
+  const std::size_t fewest = shown.trace.fewest_of(shown.step->of_x).size();
+  text.caption = fmt::format("{} pieces were found; the wide cuts leave only {}.", found, fewest);
+  text.detail =
+      "Hertel and Mehlhorn approximate: at most 4 times the fewest. With holes, and of solids, the "
+      "fewest are NP-hard to find.";
+}
+
 void pair(const Story& story, const Shown& shown, FrameText& text) {
   const models::PieceRun& run = shown.run();
   const std::string x = shown.piece(true, run.a);
@@ -72,6 +81,26 @@ void ask_for_an_ear(const Shown& shown, const PiecesStep& step, FrameText& text)
       shape.name);
 }
 
+void ask_for_fewest(const Shown& shown, const PiecesStep& step, FrameText& text) {
+  const LessonShape& shape = shown.shape(step.of_x);
+  const std::size_t found = shown.trace.of(step.of_x).pieces.size();
+  const std::size_t fewest = shown.trace.fewest_of(step.of_x).size();
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskFewest.name), {}, {}});
+  for (std::size_t count = 2; count <= found; ++count)
+    asked.choices.push_back(fmt::format("{} pieces", count));
+  asked.answer = fmt::format("{} pieces", fewest);
+  const std::size_t corners = shown.trace.turning_in[step.of_x ? 0 : 1].size();
+  const std::size_t cuts = (corners + 1) / 2;
+  asked.refuted = fmt::format(
+      "{} corners turn in, and a cut mends two at most: {} cuts, and {} pieces, are the least.",
+      corners, cuts, cuts + 1);
+  text.caption = fmt::format(
+      "Question: {} was cut into {} pieces. Into how few convex pieces can it be cut? A cut leads "
+      "from "
+      "corner to corner.",
+      shape.name, found);
+}
+
 }  // namespace
 
 void words(const Story& story, FrameText& text) {
@@ -98,6 +127,8 @@ void words(const Story& story, FrameText& text) {
     triangle(shown, text);
   } else if (shown.step->phase == PiecesPhase::merge) {
     merge(shown, text);
+  } else if (shown.step->phase == PiecesPhase::fewest) {
+    fewest(shown, text);
   } else {
     pair(story, shown, text);
   }
@@ -107,6 +138,7 @@ void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
   const PiecesStep& step = shown.trace.all[story.frame.answering_step];
   if (step.phase == PiecesPhase::triangle) return ask_for_an_ear(shown, step, text);
+  if (step.phase == PiecesPhase::fewest) return ask_for_fewest(shown, step, text);
   if (step.phase == PiecesPhase::merge) {
     const models::Merge& merge = shown.trace.of(step.of_x).merges[step.index];
     FrameQuestion& asked = text.question.emplace(

@@ -70,7 +70,7 @@ Tick pairs_tick(const LessonRun& run, const Frame& frame) {
 }
 
 constexpr AskInfo kAskInside{"inside", "a difference that is no vertex of Z"};
-constexpr std::array kPairsAsks = {kAskInside, asks::kClosestX, asks::kClosestY};
+constexpr std::array kPairsAsks = {kAskPlace, kAskInside, asks::kClosestX, asks::kClosestY};
 
 /// The hull of all differences, and the difference deepest inside: -1 where none is inside.
 struct Inside {
@@ -102,15 +102,43 @@ Inside inside_of(const PositionedRun& run) {
 int pairs_answer(const LessonRun& run, const Frame&, const Frame& frame,
                  const LessonQuestion& question) {
   if (frame.step < 0 || !is_at(frame, question)) return -1;
-  const BuildPart part = build_frame(run, frame)->part;
+  const auto [part, made] = *build_frame(run, frame);
+  if (question.ask == kAskPlace.name) {
+    const int per_x = static_cast<int>(run.lesson.y().vertices.size());
+    const bool is_second = part == BuildPart::copy && made == 2 * per_x;
+    return is_second && per_x > 2 && run.lesson.x().vertices.size() > 2 ? frame.step : -1;
+  }
   const bool answers = question.ask == kAskInside.name
                            ? part == BuildPart::hull && inside_of(run.run(frame)).deepest >= 0
                            : part == BuildPart::shortest && has_closest(run, frame, question.ask);
   return answers ? frame.step : -1;
 }
 
+void place_question(const Story& story, FrameText& text) {
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskPlace.name), {}, {}});
+  const gjk::VertexPair right = kAskedDifference;
+  std::vector<std::string> others;
+  for (const gjk::VertexPair pair : places_to_choose(story.run)) {
+    asked.choices.push_back(fmt::format("place {}", asked.choices.size() + 1));
+    const Eigen::Vector3d at =
+        story.positioned.y().world[pair.y] - story.positioned.x().world[pair.x];
+    asked.spots.push_back(Spot{ViewKind::difference, at, at});
+    if (pair == right)
+      asked.answer = asked.choices.back();
+    else
+      others.push_back(fmt::format("{} is {}", asked.choices.back(), story.run.pair_name(pair)));
+  }
+  text.caption = fmt::format(
+      "Question: {} is the arrow from {} to {}, moved so that it starts at O. Where does it end? "
+      "Point at it.",
+      story.run.pair_name(right), story.run.lesson.x().vertex_names[right.x],
+      story.run.lesson.y().vertex_names[right.y]);
+  asked.refuted = capitalized(and_list(others)) + ".";
+}
+
 void pairs_question(const Story& story, FrameText& text) {
   const std::string& ask = story.run.asked(story.frame).ask;
+  if (ask == kAskPlace.name) return place_question(story, text);
   if (ask != kAskInside.name) return captions::closest_question(story, text);
   const Inside inside = inside_of(story.positioned);
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
@@ -152,6 +180,11 @@ namespace gjkscope {
 std::optional<BuildFrame> build_frame(const LessonRun& run, const Frame& frame) {
   const auto index = part_of<std::size_t>(acts::kPairs, run, frame);
   return index ? std::optional(acts::build_frames(run.lesson)[*index]) : std::nullopt;
+}
+
+std::vector<gjk::VertexPair> places_to_choose(const LessonRun& run) {
+  const int last_x = static_cast<int>(run.lesson.x().vertices.size()) - 1;
+  return {{1, 0}, {last_x, 2}, kAskedDifference, {1, 1}};
 }
 
 }  // namespace gjkscope

@@ -2,7 +2,9 @@
 // The parts of a step that frames of the act `pairs` show.
 
 #include <optional>
+#include <vector>
 
+#include "lesson/vocabulary.hpp"
 #include "run/run.hpp"
 
 namespace gjkscope {
@@ -15,5 +17,11 @@ struct BuildFrame {
   int made = 0;  ///< Differences made: those of the first vertex of X come first.
 };
 [[nodiscard]] std::optional<BuildFrame> build_frame(const LessonRun& run, const Frame& frame);
+
+/// A difference is asked for before it is drawn: of the second vertex of X and the third of Y.
+inline constexpr AskInfo kAskPlace{"place", "the place of a difference, among some"};
+inline constexpr gjk::VertexPair kAskedDifference{1, 2};
+/// Differences with places to choose from, in the order of their numbers.
+[[nodiscard]] std::vector<gjk::VertexPair> places_to_choose(const LessonRun& run);
 
 }  // namespace gjkscope

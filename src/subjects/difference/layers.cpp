@@ -288,10 +288,30 @@ void slid_mirror_image(SceneBuilder& scene) {
     copy(scene, scene.positioned.x().world, -1.0, vertex, "shape.x.copy");
 }
 
+/// Places to choose from for a difference, and in the world its arrow's ends.
+void numbered_places(SceneBuilder& scene) {
+  const std::vector<Vector3d>& x = scene.positioned.x().world;
+  const std::vector<Vector3d>& y = scene.positioned.y().world;
+  if (scene.view.kind == ViewKind::world) {
+    return difference_arrow(scene, scene.at(x[kAskedDifference.x]),
+                            scene.at(y[kAskedDifference.y]));
+  }
+  int number = 0;
+  for (const gjk::VertexPair pair : places_to_choose(scene.run)) {
+    const Point at = scene.at(y[pair.y] - x[pair.x]);
+    const std::string name = std::to_string(++number);
+    scene.disk("cloud.current", at, kTouchedRadius);
+    scene.out.moving_labels.push_back(
+        scene.label("place:" + name, name, "cloud.label", type::kVertex, at, kTouchedRadius));
+  }
+}
+
 }  // namespace
 
 void building(SceneBuilder& scene) {
   const auto [part, made] = *build_frame(scene.run, scene.frame);
+  if (scene.frame.question >= 0 && scene.run.asked(scene.frame).ask == kAskPlace.name)
+    return numbered_places(scene);
   const int per_x = static_cast<int>(scene.positioned.y().world.size());
   const bool in_world = scene.view.kind == ViewKind::world;
   switch (part) {

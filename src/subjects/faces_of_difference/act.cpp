@@ -18,14 +18,25 @@ constexpr int kMostVertices = 100;
 void frames(LessonRun& run, int index) {
   add_algorithm_frames(run, index);
   const int steps = run.algorithm_traces[index]->steps();
-  if (steps > 0 && index + 1 == static_cast<int>(run.runs.size()))
-    run.frames.push_back({.run = index, .step = steps, .part = 0});
+  if (steps == 0 || index + 1 != static_cast<int>(run.runs.size())) return;
+  for (const Growing part : {Growing::faces, Growing::depth, Growing::general})
+    run.frames.push_back({.run = index, .step = steps, .part = static_cast<int>(part)});
 }
 
-constexpr std::array kAsks = {kAskSource, kAskMover};
+constexpr std::array kAsks = {kAskSource, kAskMover, kAskFaces, kAskDepthPoints, kAskCorners};
+
+std::optional<Growing> growth_asked(std::string_view ask) {
+  if (ask == kAskFaces.name) return Growing::faces;
+  if (ask == kAskDepthPoints.name) return Growing::depth;
+  if (ask == kAskCorners.name) return Growing::general;
+  return std::nullopt;
+}
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
+  const std::optional<Growing> growing = growth_of(run, frame);
+  if (const auto asked = growth_asked(question.ask); asked || growing)
+    return asked == growing ? frame.step : -1;
   const Shown shown(run, frame);
   if (shown.is_answer || shown.step < 0 || shown.face() == nullptr) return -1;
   const Kind kind = shown.at().kind;
@@ -49,12 +60,25 @@ std::string name_of(const LessonRun& run, Kind kind) {
   return "of several";
 }
 
+std::string_view name_of(Growing growing) {
+  switch (growing) {
+    case Growing::faces:
+      return "faces, as bodies grow";
+    case Growing::depth:
+      return "depth, as bodies grow";
+    case Growing::general:
+      break;
+  }
+  return "bodies that are not convex";
+}
+
 std::string position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[index];
   const Shown shown(run, frame);
   if (shown.step < 0) return "start";
   const std::string of = fmt::format("{} of {}", index + 1, run.frames.size());
-  if (is_growth(run, frame)) return fmt::format("outcome · {}", of);
+  if (const auto growing = growth_of(run, frame))
+    return fmt::format("{} · {}", name_of(*growing), of);
   if (shown.is_answer) return fmt::format("answer · {}", of);
   const std::string what =
       shown.at().phase == Phase::all ? "all faces" : name_of(run, shown.at().kind);
@@ -65,7 +89,7 @@ std::string position(const LessonRun& run, int index) {
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
   if (shown.step < 0) return {.group = group_of_position(run, frame, "start"), .label = "start"};
-  if (is_growth(run, frame)) return {.group = "outcome", .label = "all n", .event = true};
+  if (growth_of(run, frame)) return {.group = "as bodies grow", .label = "all n", .event = true};
   if (shown.is_answer)
     return {.group = group_of_position(run, frame, "answer"), .label = "GJK", .event = true};
   const Phase phase = shown.at().phase;
@@ -100,8 +124,9 @@ const Act kAct{
 
 }  // namespace
 
-bool is_growth(const LessonRun& run, const Frame& frame) {
-  return part_of<int>(kAct, run, frame).has_value();
+std::optional<Growing> growth_of(const LessonRun& run, const Frame& frame) {
+  if (frame.question >= 0) return growth_asked(run.asked(frame).ask);
+  return part_of<Growing>(kAct, run, frame);
 }
 
 }  // namespace gjkscope::zfaces

@@ -8,8 +8,29 @@ namespace {
 using sums_in_space::Kind;
 using Phase = FacesTrace::Phase;
 
+/// What the plot ends with.
+void growth(PanelBuilder& panel, Growing growing) {
+  if (panel.frame.question >= 0) return;
+  if (growing == Growing::general) {
+    const GrowthQuestion question =
+        question_of(growing, panel.effects.get<FaceGrowth>(panel.frame));
+    panel.heading(fmt::format("n = {}", question.vertices));
+    for (const WayToGrow& way : question.ways) panel.row(way.name, grouped(way.ratio));
+    return;
+  }
+  const FaceGrowth::Sample& last = panel.effects.get<FaceGrowth>(panel.frame).back();
+  panel.heading(fmt::format("n = {}", last.vertices));
+  panel.row("n · n differences", grouped(1.0 * last.vertices * last.vertices));
+  panel.row("faces of Z, spheres", grouped(last.of_spheres));
+  if (growing == Growing::faces) panel.row("faces of Z, lenses", grouped(last.of_lenses));
+  panel.row("support points for the distance", std::to_string(last.asked_of_spheres));
+  if (growing == Growing::depth)
+    panel.row("support points for the depth", std::to_string(last.asked_for_depth));
+}
+
 /// The faces of Z that a frame has counted by then.
 void face_kinds(PanelBuilder& panel) {
+  if (const auto growing = growth_of(panel.run, panel.frame)) return growth(panel, *growing);
   const Shown shown(panel.run, panel.frame);
   panel.heading("Faces of Z");
   const FacesTrace& trace = shown.trace;

@@ -1,8 +1,11 @@
 #pragma once
 // Faces of Z as polyhedra grow, beside the support points that GJK asks for.
 
+#include <array>
+
 #include "picture/plot.hpp"
 #include "run/graph.hpp"
+#include "subjects/growth/ways.hpp"
 
 namespace gjkscope {
 
@@ -18,6 +21,7 @@ struct FaceGrowth {
     int of_lenses = 0;
     int asked_of_spheres = 0;  ///< Support points of a run.
     int asked_of_lenses = 0;
+    int asked_for_depth = 0;  ///< Of a search on the spheres where their centres meet.
   };
   using Value = std::vector<Sample>;
   /// They depend on nothing.
@@ -26,14 +30,29 @@ struct FaceGrowth {
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
 };
 
-/// Two lenses that cross, as they are counted.
-struct Lenses {
+/// Bodies as they are counted, X and Y around the origin: two lenses that cross, or two spheres.
+struct CountedBodies {
   static constexpr int kVertices = 20;  ///< Those of each.
   std::array<std::vector<Eigen::Vector3d>, 2> points;
 };
-[[nodiscard]] Lenses crossing_lenses();
+[[nodiscard]] CountedBodies crossing_lenses();
+[[nodiscard]] CountedBodies spheres();
 
-/// Them against the number of vertices.
-[[nodiscard]] Plot faces_plot(const FaceGrowth::Value& samples);
+/// The subject of a frame after the answer, in order: faces of Z, the depth, bodies that are not
+/// convex.
+enum class Growing { faces, depth, general };
+
+/// Questions go from this size to the last one.
+[[nodiscard]] const FaceGrowth::Sample& asked_from(const FaceGrowth::Value& samples);
+/// A question chooses from `ways`, each so many times the number before it.
+struct GrowthQuestion {
+  double vertices = 0.0;  ///< Its place on the x axis.
+  double before = 1.0;
+  double measured = 1.0;
+  std::array<WayToGrow, 3> ways;
+};
+[[nodiscard]] GrowthQuestion question_of(Growing growing, const FaceGrowth::Value& samples);
+/// Counts against the number of vertices. A question leaves out what it asks for.
+[[nodiscard]] Plot faces_plot(Growing growing, bool asks, const FaceGrowth::Value& samples);
 
 }  // namespace gjkscope

@@ -104,23 +104,53 @@ void in_world(SceneBuilder& scene, const Shown& shown) {
   }
 }
 
-/// Two lenses that cross, as they are counted.
-void lenses(SceneBuilder& scene) {
-  constexpr double kApart = 2.3;
+/// The corners of a box.
+std::vector<Vector3d> box(const Vector3d& middle, const Vector3d& half) {
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 8; ++i)
+    points.emplace_back(middle + Vector3d((i & 1) == 0 ? -half.x() : half.x(),
+                                          (i & 2) == 0 ? -half.y() : half.y(),
+                                          (i & 4) == 0 ? -half.z() : half.z()));
+  return points;
+}
+
+/// A back with teeth, of boxes: Y's teeth cross those of X.
+std::vector<std::vector<Vector3d>> comb(std::size_t body) {
+  constexpr int kTeeth = 5;
+  const double towards = body == 0 ? 1.0 : -1.0;
+  std::vector<std::vector<Vector3d>> parts = {box(Vector3d::Zero(), {1.0, 1.0, 0.15})};
+  for (int i = 0; i < kTeeth; ++i) {
+    const double along = -0.9 + 0.45 * i;
+    parts.push_back(body == 0 ? box({along, 0.0, 0.55 * towards}, {0.1, 1.0, 0.4})
+                              : box({0.0, along, 0.55 * towards}, {1.0, 0.1, 0.4}));
+  }
+  return parts;
+}
+
+/// The bodies that are counted, one above the other; spheres whose centres meet.
+void counted_bodies(SceneBuilder& scene, Growing growing) {
+  const double apart = growing == Growing::depth ? 0.0 : 2.3;
   const Rect& card = scene.map.area();
-  Camera camera{Vector3d::Zero(), 1.3 * (kApart + 2.0), 1.0, Eye{35.0, 25.0}};
+  Camera camera{Vector3d::Zero(), 1.3 * (apart + 2.0), 1.0, Eye{35.0, 25.0}};
   camera.height *= std::max(1.0, 0.6 * card.size().y() / card.size().x());
   const StageMap map(card, camera);
   SceneBuilder more(scene.run, scene.effects, scene.frame, scene.view, map);
-  const Lenses both = crossing_lenses();
+  const CountedBodies both = growing == Growing::depth ? spheres() : crossing_lenses();
   for (const std::size_t body : {0, 1}) {
-    std::vector<Vector3d> points;
-    for (const Vector3d& point : both.points[body])
-      points.emplace_back(point + (body == 0 ? -0.5 : 0.5) * kApart * Vector3d::UnitZ());
-    draw_solid(more, hull_in_space(points), points, body == 0 ? "shape.x" : "shape.y");
+    std::vector<std::vector<Vector3d>> parts = {both.points[body]};
+    if (growing == Growing::general) parts = comb(body);
+    for (std::vector<Vector3d>& points : parts) {
+      for (Vector3d& point : points) point += (body == 0 ? -0.5 : 0.5) * apart * Vector3d::UnitZ();
+      draw_solid(more, hull_in_space(points), points, body == 0 ? "shape.x" : "shape.y");
+    }
   }
   more.add("body.muted", Text{{card.min.x() + 14.0, card.max.y() - 14.0},
-                              fmt::format("lenses that cross, n = {}", Lenses::kVertices),
+                              growing == Growing::general
+                                  ? std::string("combs of boxes")
+                                  : fmt::format("{}, n = {}",
+                                                growing == Growing::depth ? "spheres that overlap"
+                                                                          : "lenses that cross",
+                                                CountedBodies::kVertices),
                               type::kBody});
   scene.out.append(more.out);
 }
@@ -128,13 +158,16 @@ void lenses(SceneBuilder& scene) {
 }  // namespace
 
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
-  const bool is_growth_frame = is_growth(scene.run, scene.frame);
-  if (is_growth_frame && scene.view.kind == ViewKind::world) {
-    lenses(scene);
+  const std::optional<Growing> growing = growth_of(scene.run, scene.frame);
+  if (growing && scene.view.kind == ViewKind::world) {
+    counted_bodies(scene, *growing);
     return true;
   }
-  if (scene.view.kind != ViewKind::plot && !is_growth_frame) return false;
-  layers::add_plot(scene, faces_plot(scene.effects.get<FaceGrowth>(scene.frame)), fonts);
+  if (scene.view.kind != ViewKind::plot && !growing) return false;
+  layers::add_plot(scene,
+                   faces_plot(growing.value_or(Growing::faces), scene.frame.question >= 0,
+                              scene.effects.get<FaceGrowth>(scene.frame)),
+                   fonts);
   return true;
 }
 

@@ -2,8 +2,12 @@
 // Faces of the difference in pictures: what a frame shows of them, and what their act draws and
 // says.
 
+#include <optional>
+#include <string_view>
+
 #include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "subjects/faces_of_difference/growth.hpp"
 #include "subjects/faces_of_difference/lesson_trace.hpp"
 
 namespace gjkscope::zfaces {
@@ -13,8 +17,13 @@ inline constexpr AskInfo kAskSource{"face-source", "what the marked face of Z co
 inline constexpr AskInfo kAskMover{"face-vertex", "which vertex the marked face of Z comes from",
                                    "of kind"};
 
-/// Frames after the answer: counts as bodies grow.
-[[nodiscard]] bool is_growth(const LessonRun& run, const Frame& frame);
+inline constexpr AskInfo kAskFaces{"faces-grow", "how the faces of Z grow with the bodies"};
+inline constexpr AskInfo kAskDepthPoints{"depth-points", "how many support points a depth takes"};
+inline constexpr AskInfo kAskCorners{"general-corners",
+                                     "which power of n bounds Z of bodies that are not convex"};
+
+/// Frames after the answer: counts as bodies grow. A question about them is one of them.
+[[nodiscard]] std::optional<Growing> growth_of(const LessonRun& run, const Frame& frame);
 
 /// The part of Z that a frame shows. A frame that asks shows the face that it asks about.
 struct Shown {

@@ -128,23 +128,75 @@ void answer(const Story& story, const Shown& shown, FrameText& text) {
       shown.lesson.y().name, shown.lesson.x().name);
 }
 
-void growth(const Story& story, FrameText& text) {
+void growth(const Story& story, Growing growing, FrameText& text) {
   const FaceGrowth::Sample& last = story.effects.get<FaceGrowth>(story.frame).back();
-  text.caption = fmt::format(
-      "With {} vertices each, Z has {} faces for points on spheres, and {} for flat lenses that "
-      "cross.",
-      last.vertices, grouped(last.of_spheres), grouped(last.of_lenses));
-  text.detail = fmt::format(
-      "The first grow about like n, the second like n²/2. GJK asks for {} and {} support points. "
-      "Counted for one pair of bodies for each n.",
-      last.asked_of_spheres, last.asked_of_lenses);
+  switch (growing) {
+    case Growing::faces:
+      text.caption = fmt::format(
+          "With {} vertices each, Z has {} faces for points on spheres, and {} for flat lenses "
+          "that cross.",
+          last.vertices, grouped(last.of_spheres), grouped(last.of_lenses));
+      text.detail = fmt::format(
+          "The first grow about like n, the second like n²/2. GJK asks for {} and {} support "
+          "points. Counted for one pair of bodies for each n.",
+          last.asked_of_spheres, last.asked_of_lenses);
+      return;
+    case Growing::depth:
+      text.caption = fmt::format(
+          "Where two spheres of {} vertices overlap, their depth takes {} support points; their "
+          "distance apart took {}.",
+          last.vertices, last.asked_for_depth, last.asked_of_spheres);
+      text.detail =
+          "Any face around O may be the nearest, so Z's boundary must be found on all sides: "
+          "Larsen "
+          "knows no better way. A distance needs one side.";
+      return;
+    case Growing::general:
+      text.caption =
+          "Bodies that are not convex: Z can have about n⁶ corners. Larsen knows no faster way.";
+      text.detail =
+          "n parts each have n · n differences. Any three of their faces may meet in a corner: "
+          "(n²)³ = n⁶. Convex bodies have n² at most.";
+      return;
+  }
+}
+
+void growth_question(const Story& story, Growing growing, FrameText& text) {
+  const FaceGrowth::Value& samples = story.effects.get<FaceGrowth>(story.frame);
+  const FaceGrowth::Sample& last = samples.back();
+  const GrowthQuestion question = question_of(growing, samples);
+  ask_ways(story.run.asked(story.frame).ask, question.ways, question.measured / question.before,
+           true, text);
+  const auto at = [&](std::size_t way) {
+    return grouped(question.before * question.ways[way].ratio);
+  };
+  switch (growing) {
+    case Growing::faces:
+      text.question->refuted = fmt::format("As n would be {}, as n² {}.", at(1), at(2));
+      text.caption = fmt::format(
+          "Question: from n = {} to {}, how do the faces of Z grow for the lenses, most of them of "
+          "pairs of edges? Point at a place.",
+          asked_from(samples).vertices, last.vertices);
+      return;
+    case Growing::depth:
+      text.caption = fmt::format(
+          "Question: where the spheres overlap, how many support points does their depth take at "
+          "n = {}? Point at a place.",
+          last.vertices);
+      return;
+    case Growing::general:
+      text.caption =
+          "Question: n parts of Y less n of X, of which any three faces may meet. As which power "
+          "do the corners of Z grow?";
+      return;
+  }
 }
 
 }  // namespace
 
 void words(const Story& story, FrameText& text) {
   const Shown shown(story.run, story.frame);
-  if (is_growth(story.run, story.frame)) return growth(story, text);
+  if (const auto growing = growth_of(story.run, story.frame)) return growth(story, *growing, text);
   if (shown.step < 0) return start(shown, text);
   if (shown.is_answer) return answer(story, shown, text);
   switch (shown.at().phase) {
@@ -158,6 +210,8 @@ void words(const Story& story, FrameText& text) {
 }
 
 void question(const Story& story, FrameText& text) {
+  if (const auto growing = growth_of(story.run, story.frame))
+    return growth_question(story, *growing, text);
   const Shown shown(story.run, story.frame);
   const Face& face = *shown.face();
   const std::string& x = shown.lesson.x().name;

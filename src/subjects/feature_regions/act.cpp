@@ -21,18 +21,28 @@ void frames(LessonRun& run, int index) {
     run.frames.push_back({.run = index, .step = i});
 }
 
-constexpr std::array kAsks = {kAskHolding, kAskRefuting};
+constexpr std::array kAsks = {kAskHolding, kAskRefuting, kAskPlanes,
+                              kAskAgain,   kAskReach,    kAskBefore};
+
+/// The phase that answers a question.
+Phase answering_phase(std::string_view ask) {
+  if (ask == kAskRefuting.name) return Phase::region;
+  if (ask == kAskReach.name) return Phase::slab;
+  if (ask == kAskBefore.name) return Phase::plane;
+  return Phase::query;
+}
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
-  const bool is_holding = question.ask == kAskHolding.name;
-  if (!shown.is(is_holding ? Phase::query : Phase::region)) return -1;
+  const Phase phase = answering_phase(question.ask);
+  if (!shown.is(phase)) return -1;
+  if (phase == Phase::slab) return shown.reaching_vertex() ? frame.step : -1;
   if (shown.trace.feature(shown.at()) < 0) return -1;
   const auto is_test = [](const RegionsTrace::Step& step) { return step.phase == Phase::region; };
   const auto first = shown.trace.all.begin();
   const auto at =
-      is_holding ? frame.run + 1 : std::count_if(first, first + frame.step + 1, is_test);
+      phase == Phase::query ? frame.run + 1 : std::count_if(first, first + frame.step + 1, is_test);
   return question.at && *question.at != at ? -1 : frame.step;
 }
 

@@ -46,7 +46,7 @@ void step_of_pair(SceneBuilder& scene, const Shown& shown) {
       draw_plane(scene, ends[end], normal, scene.plane_half_width(), "slab.plane");
   }
   if (phase == Phase::pair) draw_pair(scene, shown.trace.pairs[0].points, "cell.other", {});
-  if (phase != Phase::slab || of_pair > 0) return;
+  if (phase != Phase::slab || of_pair > 0 || shown.asks) return;
   for (const auto& [of, vertex] : shown.trace.reaches)
     scene.diamond("slab.vertex", scene.at(shown.vertex(of, vertex)), kSupportRadius);
 }

@@ -2,6 +2,9 @@
 // Voronoi regions of features in pictures: what a frame shows of them, and what their act draws and
 // says.
 
+#include <optional>
+#include <utility>
+
 #include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
@@ -14,6 +17,14 @@ inline constexpr AskInfo kAskHolding{"holding-region", "the feature whose region
                                      "at position"};
 inline constexpr AskInfo kAskRefuting{"refuting-plane",
                                       "the neighbour beyond whose plane a point lies", "in test"};
+
+inline constexpr AskInfo kAskPlanes{"planes-tested", "how many planes tell that a region holds Q",
+                                    "at position"};
+inline constexpr AskInfo kAskAgain{"computed-again", "what a move of Q changes", "at position"};
+inline constexpr AskInfo kAskReach{"slab-reach",
+                                   "the vertex that reaches into the slab of a refuted pair"};
+inline constexpr AskInfo kAskBefore{"before-plane", "which vertex lies before the plane of a point",
+                                    "in test"};
 
 /// A frame that asks about a pair shows the region that it asks about.
 struct Shown {
@@ -52,6 +63,17 @@ struct Shown {
   [[nodiscard]] bool holds() const { return !(trace.border(at()).depth(trace.point(at())) < 0.0); }
   [[nodiscard]] const Eigen::Vector3d& vertex(std::size_t body, int index) const {
     return bodies[body].world[index];
+  }
+  /// For a slab of the first pair: the vertex that reaches into it from the body whose region was
+  /// left, if it is the only one.
+  [[nodiscard]] std::optional<std::pair<std::size_t, int>> reaching_vertex() const {
+    if (at().pair > 0) return std::nullopt;
+    const std::size_t body = trace.all[step - 1].body;
+    std::optional<std::pair<std::size_t, int>> found;
+    for (const std::pair<std::size_t, int>& each : trace.reaches) {
+      if (each.first == body && std::exchange(found, each)) return std::nullopt;
+    }
+    return found;
   }
 };
 

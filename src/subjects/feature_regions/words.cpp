@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "lesson/prose.hpp"
 #include "subjects/feature_regions/shown.hpp"
@@ -154,22 +155,101 @@ void words(const Story& story, FrameText& text) {
   text.detail = expand(detail, values);
 }
 
+namespace {
+
+/// Vertices of a body, to be pointed at, and none of them.
+void vertex_question(const Shown& shown, std::size_t body, std::optional<int> answer,
+                     FrameQuestion& asked) {
+  const LessonShape& shape = shown.lesson.bodies[body];
+  for (std::size_t i = 0; i < shape.vertex_names.size(); ++i) {
+    const Eigen::Vector3d& at = shown.vertex(body, static_cast<int>(i));
+    asked.choices.push_back(shape.vertex_names[i]);
+    asked.spots.emplace_back().emplace(ViewKind::world, at, at);
+  }
+  asked.choices.emplace_back("none");
+  asked.spots.emplace_back();
+  asked.answer = answer ? shape.vertex_names[*answer] : asked.choices.back();
+}
+
+void reach_question(const Shown& shown, FrameText& text) {
+  const auto [body, vertex] = *shown.reaching_vertex();
+  const RegionsTrace::Step& test = shown.trace.all[shown.step - 1];
+  const std::string beyond = shown.trace.name(shown.lesson, body, shown.trace.border(test).beyond);
+  const std::string_view own = body == 1 ? "y" : "x";
+  const std::string_view other = body == 1 ? "x" : "y";
+  vertex_question(shown, body, vertex, *text.question);
+  text.question->refuted = fmt::format(
+      "From {} towards {} in the slab the distance falls: so {} has to lie in another region.", own,
+      text.question->answer, other);
+  text.caption = fmt::format(
+      "Question: {} lies beyond the plane of {}. Which vertex of {} lies between the planes, then?",
+      other, beyond, shown.lesson.bodies[body].name);
+}
+
+void before_question(const Shown& shown, FrameText& text) {
+  const std::size_t body = shown.at().body;
+  const std::string_view own = body == 1 ? "y" : "x";
+  vertex_question(shown, body, std::nullopt, *text.question);
+  text.question->refuted =
+      fmt::format("The feature of {} is convex, too, so all of it lies beyond.", own);
+  text.caption = fmt::format(
+      "Question: {} is the closest point of its feature. Which vertex of {} lies before the plane "
+      "through {}? Point at it.",
+      own, shown.lesson.bodies[body].name, own);
+}
+
+/// Counts of planes that might have to be tested.
+void planes_question(const Shown& shown, const std::string& q, FrameText& text) {
+  const std::vector<Feature>& features = shown.trace.features[1];
+  std::size_t all = 0;
+  for (const Feature& feature : features) all += feature.borders.size();
+  FrameQuestion& asked = *text.question;
+  const std::size_t own = shown.trace.borders(shown.at()).size();
+  asked.choices = {std::to_string(own), std::to_string(features.size()), std::to_string(all)};
+  asked.answer = asked.choices[0];
+  asked.refuted = fmt::format(
+      "{} are the planes of all regions, and {} the regions. Those of one feature depend on its "
+      "neighbours alone: as many in a body of any size.",
+      all, features.size());
+  text.caption = fmt::format(
+      "Question: {} is said to lie in the region of {}. How many planes have to be tested to "
+      "confirm it?",
+      q, shown.name(shown.feature_index()));
+}
+
+void again_question(const Shown& shown, const std::string& q, FrameText& text) {
+  FrameQuestion& asked = *text.question;
+  asked.choices = {"none", "those near " + q, "all"};
+  asked.answer = asked.choices[0];
+  asked.refuted = fmt::format(
+      "Regions depend on {} alone: they are computed once, beforehand, and move with it.",
+      shown.lesson.y().name);
+  text.caption =
+      fmt::format("Question: {} has moved. Which of the {} regions have to be computed again?", q,
+                  shown.trace.features[1].size());
+}
+
+}  // namespace
+
 void question(const Story& story, FrameText& text) {
   // In a point query the frame shows nothing of the step that answers.
   const Shown shown(story.run, {.run = story.frame.run, .step = story.frame.answering_step});
   const RegionsTrace::Step& at = shown.at();
   FrameQuestion& asked = text.question.emplace();
+  asked.ask = story.run.asked(story.frame).ask;
+  if (asked.ask == kAskReach.name) return reach_question(shown, text);
+  if (asked.ask == kAskBefore.name) return before_question(shown, text);
+  if (asked.ask == kAskPlanes.name) return planes_question(shown, story.q, text);
+  if (asked.ask == kAskAgain.name) return again_question(shown, story.q, text);
   std::vector<int> choices;
   for (const Border& border : shown.trace.borders(at)) {
     if (border.beyond >= 0) choices.push_back(border.beyond);
   }
   if (shown.is_query) {
-    asked.ask = kAskHolding.name;
     asked.answer = shown.name(shown.feature_index());
     choices.push_back(shown.feature_index());
     text.caption = fmt::format("Question: in the region of which feature does {} lie?", story.q);
   } else {
-    asked.ask = kAskRefuting.name;
     asked.answer = shown.holds() ? kNoNeighbour : shown.name(shown.trace.border(at).beyond);
     text.caption = fmt::format(
         "Question: is {} in the region of {}? If not, which neighbour's plane is it beyond?",

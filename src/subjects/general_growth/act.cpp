@@ -31,13 +31,15 @@ Tick tick(const LessonRun& run, const Frame& frame) {
   return {.group = "outcome", .label = "all n", .event = true};
 }
 
-constexpr std::array kAsks = {kAskVisits, kAskAgrees};
+constexpr std::array kAsks = {kAskVisits, kAskMethod, kAskAgrees};
 
-/// Claims about coherence (not exploited in 1998) and about spheres are not asked about: nothing
-/// that was measured bears on them.
+/// The claim about coherence (not exploited in 1998) is not asked about: nothing that was measured
+/// bears on it.
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
+  if (question.ask == kAskMethod.name)
+    return shown.is(GrowthPhase::time) && !question.at ? shown.over - 1 : -1;
   const auto is_asked = [&](int number) { return question.at.value_or(number) == number; };
   const bool answers = question.ask == kAskVisits.name
                            ? shown.is(GrowthPhase::size) && shown.over > 1 && is_asked(shown.over)

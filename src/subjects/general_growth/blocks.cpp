@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/decimal.hpp"
 #include "picture/block.hpp"
 #include "subjects/general_growth/shown.hpp"
@@ -10,15 +12,24 @@ using Times = std::vector<double> GrowthTimes::*;
 
 constexpr double kTimeColumn = 84.0;  // width in pixels
 
+/// The times, from where a question about them is answered.
+const GrowthTimes* times_of(const Shown& shown, const Lesson& lesson) {
+  const bool is_asked =
+      std::any_of(lesson.questions.begin(), lesson.questions.end(),
+                  [](const LessonQuestion& question) { return question.ask == kAskMethod.name; });
+  const bool is_known = !is_asked || shown.over > shown.sizes();
+  return shown.trace.times && is_known ? &*shown.trace.times : nullptr;
+}
+
 /// Pairs, and the time where the lesson has it.
 void method(PanelBuilder& panel, const Shown& shown, std::string name, std::string pairs,
             Times times) {
   panel.write("body", panel.left, std::move(name), type::kBody);
-  const std::optional<GrowthTimes>& all = shown.trace.times;
-  const double right = panel.right - (all ? kTimeColumn : 0.0);
+  const GrowthTimes* all = times_of(shown, panel.run.lesson);
+  const double right = panel.right - (all != nullptr ? kTimeColumn : 0.0);
   panel.write("code.current", right, std::move(pairs), type::kCode, Align::right);
-  if (all && shown.size() < ((*all).*times).size())
-    panel.write("code.current", panel.right, time_text(((*all).*times)[shown.size()]), type::kCode,
+  if (all != nullptr && shown.size() < (all->*times).size())
+    panel.write("code.current", panel.right, time_text((all->*times)[shown.size()]), type::kCode,
                 Align::right);
   panel.y += rows::kRow;
 }
@@ -26,7 +37,7 @@ void method(PanelBuilder& panel, const Shown& shown, std::string name, std::stri
 void costs(PanelBuilder& panel) {
   const Shown& shown = shown_in<Shown>(panel);
   const general_growth::Sample& sample = shown.sample();
-  const bool has_times = shown.trace.times.has_value();
+  const bool has_times = times_of(shown, panel.run.lesson) != nullptr;
   panel.write("heading", panel.left, "n = " + grouped(sample.segments), type::kHeading);
   panel.write("heading", panel.right - (has_times ? kTimeColumn : 0.0), "pairs", type::kHeading,
               Align::right);
@@ -40,7 +51,10 @@ void costs(PanelBuilder& panel) {
   row("trees of boxes", sample.boxes, &GrowthTimes::boxes);
   row("trees of circles", sample.circles, &GrowthTimes::circles);
   row("boxes, from the last pair", sample.remembered, &GrowthTimes::remembered);
-  row("boxes, only collide?", sample.collide, &GrowthTimes::collide);
+  // Not where the answer is read off it.
+  const bool is_asking =
+      panel.frame.question >= 0 && panel.run.asked(panel.frame).ask == kAskAgrees.name;
+  if (!is_asking) row("boxes, only collide?", sample.collide, &GrowthTimes::collide);
   if (has_times) method(panel, shown, "building trees of boxes", "", &GrowthTimes::build);
 }
 

@@ -55,7 +55,6 @@ bool GeneralGrowthTrace::agrees(Claim claim) const {
     case Claim::wider_search:
       return last.boxes > last.collide;
     case Claim::coherence:
-    case Claim::spheres:
       break;
   }
   return false;

@@ -15,8 +15,8 @@ enum class GrowthPhase : std::uint8_t { size, time, claim };
 extern const Algorithm kGeneralGrowthAlgorithm;
 
 /// Larsen 1998, "Methods for General Models" to "Conclusions".
-enum class Claim : std::uint8_t { brute_force, wider_search, coherence, spheres };
-inline constexpr int kClaims = 4;
+enum class Claim : std::uint8_t { brute_force, wider_search, coherence };
+inline constexpr int kClaims = 3;
 
 class GeneralGrowthTrace final : public AlgorithmTrace {
  public:
@@ -31,7 +31,7 @@ class GeneralGrowthTrace final : public AlgorithmTrace {
                                             const PositionedRun& run) const override;
 
   /// Whether the largest outlines bear it out: by the times where there are some, else by counts.
-  /// Nothing measured bears on the claims about coherence and spheres.
+  /// Nothing measured bears on the claim about coherence.
   [[nodiscard]] bool agrees(Claim claim) const;
 
   std::vector<general_growth::Sample> samples;

@@ -12,6 +12,8 @@ namespace gjkscope::costs {
 
 inline constexpr AskInfo kAskVisits{
     "visits", "how many times the visits of the last size a size takes", "about size"};
+inline constexpr AskInfo kAskMethod{
+    "method", "which method is the fastest for the largest outlines", "about size"};
 inline constexpr AskInfo kAskAgrees{
     "agrees", "whether what Larsen says agrees with what was measured", "about claim"};
 
@@ -47,8 +49,7 @@ struct Shown {
   /// The plot is of times: where they are what the frame is about.
   [[nodiscard]] bool plots_times() const {
     return trace.times &&
-           (is(GrowthPhase::time) || (is(GrowthPhase::claim) && (claim() == Claim::brute_force ||
-                                                                 claim() == Claim::spheres)));
+           (is(GrowthPhase::time) || (is(GrowthPhase::claim) && claim() == Claim::brute_force));
   }
 };
 

@@ -22,8 +22,6 @@ std::string_view said(Claim claim) {
       return "distance needs a wider search than collision";
     case Claim::coherence:
       return "coherence is not yet exploited";
-    case Claim::spheres:
-      return "trees of spheres are the fastest";
   }
   return "";
 }
@@ -64,16 +62,6 @@ void claim(const Shown& shown, FrameText& text) {
           "A start from the last position's closest pair costs {} % of the visits. Pairs almost as "
           "close must still be ruled out.",
           fixed(100.0 * last.remembered / last.boxes, 0));
-      break;
-    case Claim::spheres:
-      text.caption = fmt::format("Larsen: {}. That is not measured here.", said(shown.claim()));
-      text.detail = fmt::format(
-          "Quinlan's spheres tile triangles. Circles around whole segments visit {} pairs, boxes "
-          "{}{}.",
-          grouped(last.circles), grouped(last.boxes),
-          times ? fmt::format(", in {} and {}", time_text(times->circles.back()),
-                              time_text(times->boxes.back()))
-                : "");
       break;
   }
 }
@@ -177,6 +165,24 @@ void question(const Story& story, FrameText& text) {
     text.caption = fmt::format(
         "Question: from n = {} to {}, how do the visits of trees of boxes grow? Point at a place.",
         grouped(last.segments), grouped(sample.segments));
+  } else if (asked.ask == kAskMethod.name) {
+    const GrowthTimes& times = *before.trace.times;
+    const std::array<std::pair<std::string_view, double>, 3> methods = {
+        {{"all pairs of segments", times.pairs.back()},
+         {"trees of boxes", times.boxes.back()},
+         {"trees of circles", times.circles.back()}}};
+    const auto fastest =
+        std::min_element(methods.begin(), methods.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (const auto& method : methods) asked.choices.emplace_back(method.first);
+    asked.choices.emplace_back("convex pieces");
+    asked.answer = std::string(fastest->first);
+    asked.refuted = fmt::format("Circles take {}, and convex pieces end at n = {}.",
+                                time_text(times.circles.back()), general_growth::kMostCut);
+    text.caption = fmt::format(
+        "Question: n = {}, and the outlines are not convex. Which method is the fastest for one "
+        "distance?",
+        grouped(before.trace.samples.back().segments));
   } else {
     const auto claim =
         static_cast<Claim>(static_cast<int>(answer) - (before.trace.steps() - kClaims));

@@ -21,8 +21,10 @@ void growth_frames(LessonRun& run, int index) {
   add_step_frames(run, index, is_support_or_end);
   const int last = last_step(run.lesson, run.runs[index].trace);
   if (last < 0) return;
-  const int sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
-  for (int i = 0; i <= sizes; ++i) run.frames.push_back({.run = index, .step = last, .part = i});
+  const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
+  const bool has_slow = sizes.front() <= SlowGrowth::kMost;
+  for (int i = 0; i <= static_cast<int>(sizes.size()) + (has_slow ? 1 : 0); ++i)
+    run.frames.push_back({.run = index, .step = last, .part = i});
 }
 
 /// nullptr where a frame is about all sizes.
@@ -37,7 +39,9 @@ std::string growth_position(const LessonRun& run, int index) {
   if (!shown_size(run, frame)) return position_in_run(run, index);
   const int* vertices = vertices_of(run, frame);
   return fmt::format("{} · {} of {}",
-                     vertices != nullptr ? fmt::format("n = {}", grouped(*vertices)) : "outcome",
+                     vertices != nullptr   ? fmt::format("n = {}", grouped(*vertices))
+                     : is_slow(run, frame) ? "slow runs"
+                                           : "outcome",
                      index + 1, run.frames.size());
 }
 
@@ -53,6 +57,7 @@ std::string short_count(int count) {
 Tick growth_tick(const LessonRun& run, const Frame& frame) {
   if (!shown_size(run, frame)) return tick_of_step(run, frame);
   const int* vertices = vertices_of(run, frame);
+  if (is_slow(run, frame)) return {.group = "slow runs", .label = "worst", .event = true};
   if (vertices == nullptr) return {.group = "outcome", .label = "all n", .event = true};
   return {.group = "vertices n", .label = short_count(*vertices)};
 }
@@ -90,13 +95,24 @@ bool growth_fill(SceneBuilder& scene, const Fonts& fonts) {
   return true;
 }
 
-constexpr std::array kGrowthAsks = {kAskIterations};
+constexpr std::array kGrowthAsks = {kAskIterations, kAskScanned, kAskOutline, kAskSlowest,
+                                    kAskDots};
 
 int growth_answer(const LessonRun& run, const Frame&, const Frame& frame,
                   const LessonQuestion& question) {
-  const int size = shown_size(run, frame).value_or(0);
-  const bool answers = size > 0 && vertices_of(run, frame) != nullptr;
-  return answers && question.at.value_or(size + 1) == size + 1 ? frame.step : -1;
+  const auto answers = [&] {
+    if (question.ask == kAskSlowest.name) return is_slow(run, frame);
+    if (question.ask != kAskDots.name) {
+      const int size = shown_size(run, frame).value_or(0);
+      return size > 0 && vertices_of(run, frame) != nullptr &&
+             question.at.value_or(size + 1) == size + 1;
+    }
+    if (shown_size(run, frame) || frame.step < 0) return false;
+    const WideStep& step = run.run(frame).trace.steps[frame.step];
+    return step.phase == gjk::Phase::support &&
+           question.at.value_or(step.iteration) == step.iteration;
+  };
+  return answers() ? frame.step : -1;
 }
 
 std::string growth_plot_title(const LessonRun&) { return "Iterations as polygons grow"; }
@@ -107,7 +123,7 @@ const Act kGrowth{
     .name = "growth",
     .meaning =
         "support step of the run, then number of vertices in [growth]; then the "
-        "outcome",
+        "outcome, and runs that are slow",
     .needs = {.table = &LessonGrowth::kKind,
               .path = PathUse::refused,
               .why_no_until = "frames show how the run ends"},
@@ -132,6 +148,12 @@ namespace gjkscope {
 
 std::optional<int> shown_size(const LessonRun& run, const Frame& frame) {
   return part_of<int>(acts::kGrowth, run, frame);
+}
+
+bool is_slow(const LessonRun& run, const Frame& frame) {
+  const int sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
+  const bool asks = frame.question >= 0 && run.asked(frame).ask == kAskSlowest.name;
+  return asks || shown_size(run, frame) == sizes + 1;
 }
 
 }  // namespace gjkscope

@@ -36,6 +36,14 @@ void growth_counters(PanelBuilder& panel) {
     panel.write("code.current", panel.right, value, type::kCodeBold, Align::right);
     panel.y += rows::kRow;
   };
+  if (is_slow(panel.run, panel.frame)) {
+    const Slowest both = slowest(panel.effects, panel.frame);
+    row("n", std::to_string(both.built.vertices));
+    row("Iterations of the worst random run", std::to_string(both.random.most_iterations));
+    if (panel.frame.question < 0)
+      row("Iterations, built to be slow", std::to_string(both.built.iterations));
+    return;
+  }
   row("n · n differences", grouped(1.0 * sample.vertices * sample.vertices));
   row("Computed, on average", fixed(sample.touched_points, 1));
   row("Support calls, on average", fixed(sample.support_calls, 1));

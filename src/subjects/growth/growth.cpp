@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "exact/instances.hpp"
+#include "exact/rational.hpp"
 #include "outlines/minkowski.hpp"
 #include "subjects/growth/random.hpp"
 #include "subjects/growth/subject.hpp"
@@ -151,7 +152,56 @@ Growth::Value Growth::compute(EffectGraph&, const LessonRun& run, const Frame&) 
   return samples;
 }
 
+namespace {
+
+/// From the outermost vertex to the innermost, on a parabola below the origin of X.
+std::vector<Vector2d> slow_polygon(int count) {
+  std::vector<Vector2d> found;
+  for (int i = 0; i < count; ++i) {
+    const double x = std::ldexp(i % 2 == 0 ? 1.0 : -1.0, -i);
+    found.emplace_back(x, -0.25 * x * x);
+  }
+  return found;
+}
+
+const Vector2d kSlowPoint(0.0, 1.0);
+
+gjk::Vec<Rational, 2> exactly(const Vector2d& point) {
+  return {Rational(point.x()), Rational(point.y())};
+}
+
+}  // namespace
+
+SlowGrowth::Value SlowGrowth::compute(EffectGraph&, const LessonRun& run, const Frame&) {
+  gjk::Options options;
+  options.proof = gjk::Proof::none;
+  options.start.count = 1;
+  Value runs;
+  for (const int vertices : run.lesson.table.as<LessonGrowth>()->vertices) {
+    if (vertices > kMost) break;
+    const std::vector<gjk::Vec<Rational, 2>> x = {exactly(kSlowPoint)};
+    std::vector<gjk::Vec<Rational, 2>> y;
+    for (const Vector2d& vertex : slow_polygon(vertices)) y.push_back(exactly(vertex));
+    const gjk::Query<Rational, 2> query{{x}, {y}};
+    runs.push_back({vertices, gjk::distance<Rational>(query, options).iterations});
+  }
+  return runs;
+}
+
+Growth::Example SlowGrowth::example(int vertices) {
+  Growth::Example example;
+  for (const Vector2d& vertex : slow_polygon(vertices))
+    example.touched.push_back(vertex - kSlowPoint);
+  example.hull = example.touched;
+  std::stable_sort(example.hull.begin(), example.hull.end(),
+                   [](const Vector2d& a, const Vector2d& b) { return a.x() > b.x(); });
+  example.closest = example.touched.back();
+  return example;
+}
+
 const EffectInfo effect_infos::kGrowth =
     effect_info<Growth>("panel", "runs on random polygons, with more and more vertices");
+const EffectInfo effect_infos::kSlowGrowth =
+    effect_info<SlowGrowth>("frame", "runs that need as many iterations as there are vertices");
 
 }  // namespace gjkscope

@@ -6,8 +6,10 @@
 namespace gjkscope {
 
 /// Part of the last step, after which runs of other sizes are shown: an index into
-/// LessonGrowth::vertices; as many as there are: all sizes.
+/// LessonGrowth::vertices; as many as there are: all sizes; one more: runs that are slow.
 [[nodiscard]] std::optional<int> shown_size(const LessonRun& run, const Frame& frame);
+/// A frame about slow runs, or one that asks about them.
+[[nodiscard]] bool is_slow(const LessonRun& run, const Frame& frame);
 
 /// The cost of GJK as polygons grow: traced runs on pairs of random convex polygons that lie apart,
 /// with each number of vertices in the lesson's [growth]. They decide as the lesson's query says,
@@ -47,6 +49,25 @@ struct Growth {
   static bool is_same(const LessonRun& one, const LessonRun& other);
   static EffectKey key(const LessonRun& run, const Frame& frame);
   static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+};
+
+/// Runs that need as many iterations as there are vertices: X is a point, and each iteration finds
+/// the vertex of Y that is next, half as far to the other side. Exact, for doubles soon see no
+/// difference.
+struct SlowGrowth {
+  static constexpr std::string_view kName = "slow-growth";
+  static constexpr std::string_view kNeeds = "";
+  static constexpr int kMost = 30;  ///< Sizes of the lesson up to here.
+  static constexpr int kDrawn = 10;
+  struct Run {
+    int vertices = 0;
+    int iterations = 0;
+  };
+  using Value = std::vector<Run>;
+  static EffectKey key(const LessonRun&, const Frame&) { return {-1, -1, -1}; }
+  static Value compute(EffectGraph& graph, const LessonRun& run, const Frame& frame);
+  /// The run with that many vertices, in the difference.
+  static Growth::Example example(int vertices);
 };
 
 }  // namespace gjkscope

@@ -23,10 +23,13 @@ void growth(SceneBuilder& scene, const Fonts& fonts) {
 
 void growth_example(SceneBuilder& scene) {
   using namespace sizes;
+  const bool is_built = is_slow(scene.run, scene.frame) && scene.frame.question < 0;
   const Growth::Value& measured = scene.effects.get<Growth>(scene.frame);
   const auto index = static_cast<std::size_t>(*shown_size(scene.run, scene.frame));
   const Growth::Sample& sample = measured[std::min(index, measured.size() - 1)];
-  const Growth::Example& example = sample.example;
+  const Growth::Example built =
+      is_built ? SlowGrowth::example(SlowGrowth::kDrawn) : Growth::Example{};
+  const Growth::Example& example = is_built ? built : sample.example;
   Eigen::AlignedBox2d seen(Eigen::Vector2d(0.0, 0.0));
   for (const Eigen::Vector2d& corner : example.hull) seen.extend(corner);
   constexpr double kBand = 26.0;  // for words, at the lower edge
@@ -47,13 +50,23 @@ void growth_example(SceneBuilder& scene) {
   scene.line("closest.line", o, p);
   for (const Point& point : mapped(example.touched))
     scene.disk("cloud.touched", point, kTouchedRadius);
+  // The order in which they are found, as long as they are apart.
+  constexpr int kNumbered = 4;
+  for (int i = 0; is_built && i < kNumbered; ++i) {
+    const Point at = map(example.touched[i]);
+    scene.out.moving_labels.push_back(scene.label(fmt::format("example {}", i),
+                                                  std::to_string(i + 1), "cloud.label", type::kName,
+                                                  at, kTouchedRadius, at - p));
+  }
   scene.disk("closest", p, kClosestRadius);
   scene.add("origin", Cross{o, kOriginRadius});
   scene.out.obstacles.circles.push_back({o, kOriginRadius});
-  scene.add("body.muted",
-            Text{{card.min.x() + 14.0, card.max.y() - 14.0},
-                 fmt::format("run 1 of {}, n = {}", sample.runs, grouped(sample.vertices)),
-                 type::kBody});
+  scene.add(
+      "body.muted",
+      Text{{card.min.x() + 14.0, card.max.y() - 14.0},
+           is_built ? fmt::format("built to be slow, n = {}", SlowGrowth::kDrawn)
+                    : fmt::format("run 1 of {}, n = {}", sample.runs, grouped(sample.vertices)),
+           type::kBody});
   scene.out.moving_labels.push_back(
       scene.label("example O", "O", "origin.label", type::kVertex, o, kOriginRadius, o - p));
   scene.out.moving_labels.push_back(

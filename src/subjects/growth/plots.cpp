@@ -35,67 +35,87 @@ std::span<const Sample> measured_by(const LessonRun& run, EffectGraph& effects,
   return all.first(std::min(all.size(), static_cast<std::size_t>(size + 1)));
 }
 
+template <class Number>
 PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::string name,
-                     double Sample::*counted) {
+                     Number Sample::*counted) {
   PlotSeries series{style, std::move(name), {}};
   for (const Sample& sample : measured)
     series.points.emplace_back(sample.vertices, sample.*counted);
   return series;
 }
 
-/// The size that a frame asks about, or that tells what was asked; 0 where there is none.
+/// The size whose iterations a frame asks about, or tells; 0 where there is none.
 int size_in_question(const LessonRun& run, const Frame& frame) {
   const int size = shown_size(run, frame).value_or(-1) + (frame.question >= 0 ? 1 : 0);
   const auto& questions = run.lesson.questions;
   const bool is_asked = std::any_of(questions.begin(), questions.end(), [&](const auto& question) {
-    return question.at.value_or(size + 1) == size + 1;
+    return question.ask == kAskIterations.name && question.at.value_or(size + 1) == size + 1;
   });
   const auto sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
   return is_asked && size > 0 && size < sizes ? size : 0;
 }
 
-void add_choices(Plot& plot, const LessonRun& run, const Growth::Value& measured, int size) {
-  const double before = measured[size - 1].iterations;
-  PlotSeries places{PlotStyle::other, "", {}, PlotJoin::none};
-  for (const WayToGrow& way : ways_to_grow(*run.lesson.table.as<LessonGrowth>(), size)) {
-    places.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(places.points.size())});
-    places.points.emplace_back(measured[size].vertices, before * way.ratio);
-    plot.notes.push_back({PlotStyle::other, places.points.back(), way.name});
+/// The places that a frame's question chooses from; a frame that tells of a size keeps them.
+void add_choices(Plot& plot, const LessonRun& run, EffectGraph& effects, const Frame& frame) {
+  const LessonGrowth& growth = *run.lesson.table.as<LessonGrowth>();
+  if (const int size = size_in_question(run, frame); size > 0) {
+    add_ways(plot, growth.vertices[size], effects.get<Growth>(frame)[size - 1].iterations,
+             ways_to_grow(growth, size, kAskIterations.name));
+  } else if (is_slow(run, frame) && frame.question >= 0) {
+    const Slowest both = slowest(effects, frame);
+    add_ways(plot, both.built.vertices, both.random.most_iterations, ways_to_be_slow(both));
   }
-  plot.series.push_back(std::move(places));
 }
 
 }  // namespace
 
-std::array<WayToGrow, 3> ways_to_grow(const LessonGrowth& growth, int size) {
+std::array<WayToGrow, 3> ways_to_grow(const LessonGrowth& growth, int size,
+                                      std::string_view counted) {
   constexpr double kLittle = 1.2;
-  return {{{"a little", kLittle},
+  const double n = 1.0 * growth.vertices[size] / growth.vertices[size - 1];
+  if (counted != kAskIterations.name)
+    return {{{"a little", kLittle}, {"like n", n}, {"like n · n", n * n}}};
+  return {{{"a little", kLittle}, {"twice as many", 2.0}, {"like n", n}}};
+}
+
+Slowest slowest(EffectGraph& effects, const Frame& frame) {
+  const SlowGrowth::Value& built = effects.get<SlowGrowth>(frame);
+  return {effects.get<Growth>(frame)[built.size() - 1], built.back()};
+}
+
+std::array<WayToGrow, 3> ways_to_be_slow(const Slowest& slowest) {
+  constexpr double kLittle = 1.2;
+  return {{{"a few more", kLittle},
            {"twice as many", 2.0},
-           {"as n", 1.0 * growth.vertices[size] / growth.vertices[size - 1]}}};
+           {"like n", 1.0 * slowest.built.vertices / slowest.random.most_iterations}}};
 }
 
 Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   const std::span<const Sample> measured = measured_by(run, effects, frame);
   const LessonGrowth& growth = *run.lesson.table.as<LessonGrowth>();
   Plot plot = against_vertices(run, frame);
-  double most = Growth::kLarsenMost;
-  for (const Sample& sample : effects.get<Growth>(frame)) most = std::max(most, sample.iterations);
-  const int asked = size_in_question(run, frame);
-  if (asked > 0) {
-    for (const WayToGrow& way : ways_to_grow(growth, asked))
-      most = std::max(most, effects.get<Growth>(frame)[asked - 1].iterations * way.ratio);
-  }
-  constexpr double kStep = 4.0;  // the axis ends at a multiple
-  plot.y = {0.0, kStep * std::ceil(most / kStep), false,
-            fmt::format("average of {} runs", growth.runs)};
   plot.bands = {{Growth::kLarsenLeast, Growth::kLarsenMost,
                  fmt::format("Larsen: {} to {}", Growth::kLarsenLeast, Growth::kLarsenMost)}};
   plot.series = {series_of(measured, PlotStyle::first, "iterations", &Sample::iterations),
-                 series_of(measured, PlotStyle::second, "support calls", &Sample::support_calls),
+                 series_of(measured, PlotStyle::second, "the worst run", &Sample::most_iterations),
                  series_of(measured, PlotStyle::third,
                            fmt::format("iterations to {:g} %", 100.0 * growth.tolerance),
                            &Sample::within_tolerance)};
-  if (asked > 0) add_choices(plot, run, effects.get<Growth>(frame), asked);
+  if (is_slow(run, frame) && frame.question < 0) {
+    PlotSeries built{PlotStyle::fourth, "built to be slow", {}};
+    for (const SlowGrowth::Run& each : effects.get<SlowGrowth>(frame))
+      built.points.emplace_back(each.vertices, each.iterations);
+    plot.series.push_back(std::move(built));
+  }
+  add_choices(plot, run, effects, frame);
+  double most = effects.get<Growth>(frame).back().most_iterations;
+  for (const PlotSeries& series : plot.series) {
+    for (const Eigen::Vector2d& point : series.points) most = std::max(most, point.y());
+  }
+  constexpr double kStep = 4.0;  // the axis ends at a multiple
+  plot.y = {0.0, kStep * std::ceil(most / kStep), false,
+            fmt::format("average of {} runs; green: Larsen's {} to {}", growth.runs,
+                        Growth::kLarsenLeast, Growth::kLarsenMost)};
   return plot;
 }
 
@@ -111,6 +131,10 @@ Plot points_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame)
                  series_of(measured, PlotStyle::second, "scanned", &Sample::scanned_vertices),
                  series_of(measured, PlotStyle::third, "climbed", &Sample::seen_vertices),
                  std::move(all)};
+  PlotSeries edges{PlotStyle::limit, "edges of Z", {}, PlotJoin::lines, false};
+  for (const Sample& sample : measured)
+    edges.points.emplace_back(sample.vertices, 2.0 * sample.vertices);
+  plot.series.push_back(std::move(edges));
   return plot;
 }
 

@@ -2,26 +2,39 @@
 // Plots of the measurements of growth.hpp against the vertices of the polygons.
 
 #include <array>
-#include <string>
+#include <string_view>
 
 #include "lesson/vocabulary.hpp"
 #include "picture/plot.hpp"
 #include "run/graph.hpp"
+#include "subjects/growth/growth.hpp"
 #include "subjects/growth/table.hpp"
+#include "subjects/growth/ways.hpp"
 
 namespace gjkscope {
 
 inline constexpr AskInfo kAskIterations{
     "iterations", "how many times the iterations of the last size a size takes", "about size"};
+inline constexpr AskInfo kAskScanned{
+    "scanned", "how many times the vertices that scans of the last size look at a size takes",
+    "about size"};
+inline constexpr AskInfo kAskOutline{
+    "outline", "how many times the edges of Z of the last size a size has", "about size"};
+inline constexpr AskInfo kAskSlowest{"slowest", "iterations of a polygon that is built to be slow"};
+inline constexpr AskInfo kAskDots{"dot-products", "how many dot products find a support point"};
 
-/// A place that a question about a size chooses from.
-struct WayToGrow {
-  std::string name;  ///< "as n"
-  double ratio;      ///< To the size before.
+/// The ways in which `counted` may grow, to a size from the one before.
+[[nodiscard]] std::array<WayToGrow, 3> ways_to_grow(const LessonGrowth& growth, int size,
+                                                    std::string_view counted);
+/// Iterations of the slowest polygons, beside those of the slowest random runs of that size.
+struct Slowest {
+  const Growth::Sample& random;
+  const SlowGrowth::Run& built;
 };
-[[nodiscard]] std::array<WayToGrow, 3> ways_to_grow(const LessonGrowth& growth, int size);
+[[nodiscard]] Slowest slowest(EffectGraph& effects, const Frame& frame);
+[[nodiscard]] std::array<WayToGrow, 3> ways_to_be_slow(const Slowest& slowest);
 
-/// Iterations and support calls, beside what Larsen reports.
+/// Iterations on average and in the worst run, beside what Larsen reports.
 [[nodiscard]] Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame);
 
 /// Points of Z and those computed; vertices that support calls look at, and that scans would.

@@ -7,7 +7,7 @@ namespace gjkscope {
 const SubjectParts subjects::growth{
     .acts = {&acts::kGrowth},
     .blocks = {&blocks::kGrowth},
-    .effects = {&effect_infos::kGrowth},
+    .effects = {&effect_infos::kGrowth, &effect_infos::kSlowGrowth},
 };
 
 }  // namespace gjkscope

@@ -43,6 +43,7 @@ void growth_question(const Story& story, FrameText& text);
 
 namespace effect_infos {
 extern const EffectInfo kGrowth;
+extern const EffectInfo kSlowGrowth;
 }  // namespace effect_infos
 
 }  // namespace gjkscope

@@ -78,38 +78,92 @@ void outcome(const Growth::Value& measured, double tolerance, FrameText& text) {
       100.0 * tolerance, fixed(least->within_tolerance, 1), fixed(most->within_tolerance, 1));
 }
 
+/// Polygons that are built to be slow.
+void slow(const Slowest& slowest, FrameText& text) {
+  text.caption =
+      fmt::format("A polygon can be built so that GJK needs n iterations: {} with {} vertices.",
+                  slowest.built.iterations, slowest.built.vertices);
+  text.detail = fmt::format(
+      "X is a point. Each support point is only the next vertex, in turn on either side of P. "
+      "Random runs take {} at most, of {}.",
+      slowest.random.most_iterations, slowest.random.runs);
+}
+
+void slow_question(const Slowest& slowest, FrameText& text) {
+  const std::array<WayToGrow, 3> ways = ways_to_be_slow(slowest);
+  const double least = slowest.random.most_iterations;
+  ask_ways(kAskSlowest.name, ways, slowest.built.iterations / least, true, text);
+  text.caption = fmt::format(
+      "Question: the worst random run with n = {} needs {} iterations. A polygon is built to be "
+      "slow: how many, then? Point at a place.",
+      slowest.built.vertices, slowest.random.most_iterations);
+}
+
+/// One for each vertex, or one for each difference.
+void dots_question(const Story& story, FrameText& text) {
+  const PositionedRun& run = story.run.run(story.frame);
+  const std::size_t x = run.x().world.size();
+  const std::size_t y = run.y().world.size();
+  text.question = FrameQuestion{std::string(kAskDots.name),
+                                {fmt::format("{} + {}", y, x), fmt::format("{} · {}", y, x), "1"},
+                                {}};
+  text.question->answer = text.question->choices[0];
+  text.question->refuted = fmt::format(
+      "One for each vertex of both: O(n + n). {} · {} would be one for each difference.", y, x);
+  text.caption = fmt::format(
+      "Question: Z is the hull of {} differences. How many dot products find the one farthest "
+      "along d?",
+      y * x);
+}
+
 }  // namespace
 
 void growth(const Story& story, FrameText& text) {
   const Growth::Value& measured = story.effects.get<Growth>(story.frame);
   const auto index = static_cast<std::size_t>(*shown_size(story.run, story.frame));
   if (index < measured.size()) return size(measured[index], text);
+  if (is_slow(story.run, story.frame)) return slow(slowest(story.effects, story.frame), text);
   outcome(measured, story.run.lesson.table.as<LessonGrowth>()->tolerance, text);
 }
 
 void growth_question(const Story& story, FrameText& text) {
+  const std::string& ask = story.run.asked(story.frame).ask;
+  if (ask == kAskDots.name) return dots_question(story, text);
+  if (ask == kAskSlowest.name) return slow_question(slowest(story.effects, story.frame), text);
   const LessonGrowth& growth = *story.run.lesson.table.as<LessonGrowth>();
   const Growth::Value& measured = story.effects.get<Growth>(story.frame);
   const int size = *shown_size(story.run, story.frame) + 1;
-  const double before = measured[size - 1].iterations;
-  const std::array<WayToGrow, 3> ways = ways_to_grow(growth, size);
-  const auto off = [&](const WayToGrow& way) {
-    return std::abs(std::log(measured[size].iterations / before / way.ratio));
-  };
-  FrameQuestion& asked = text.question.emplace();
-  asked.ask = kAskIterations.name;
-  for (const WayToGrow& way : ways) {
-    asked.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(asked.choices.size())});
-    asked.choices.push_back(way.name);
+  const Sample& from = measured[size - 1];
+  const Sample& to = measured[size];
+  const std::array<WayToGrow, 3> ways = ways_to_grow(growth, size, ask);
+  const std::string sizes =
+      fmt::format("from n = {} to {}", grouped(from.vertices), grouped(to.vertices));
+  if (ask == kAskIterations.name) {
+    ask_ways(ask, ways, to.iterations / from.iterations, true, text);
+    text.question->refuted =
+        fmt::format("Twice as many would be {}, like n {}.", fixed(from.iterations * 2.0, 1),
+                    fixed(from.iterations * ways[2].ratio, 1));
+    text.caption =
+        fmt::format("Question: {}, how do the iterations grow? Point at a place.", sizes);
+  } else if (ask == kAskScanned.name) {
+    ask_ways(ask, ways, to.scanned_vertices / from.scanned_vertices, false, text);
+    text.question->refuted =
+        fmt::format("A call scans n + n vertices, and calls grow from {} to {} only.",
+                    fixed(from.support_calls, 1), fixed(to.support_calls, 1));
+    text.caption = fmt::format(
+        "Question: each support call scans all vertices. {}, how do the scanned vertices of a run "
+        "grow?",
+        capitalized(sizes));
+  } else {
+    ask_ways(ask, ways, 1.0 * to.vertices / from.vertices, false, text);
+    text.question->refuted = fmt::format(
+        "Each edge of Z is one of X or of Y, {} at most: a scan of a known outline is O(n), too.",
+        grouped(2.0 * to.vertices));
+    text.caption = fmt::format(
+        "Question: if the outline of Z is known, one scan of its edges finds P. {}, how does this "
+        "scan grow?",
+        capitalized(sizes));
   }
-  asked.answer = std::min_element(ways.begin(), ways.end(), [&](const auto& a, const auto& b) {
-                   return off(a) < off(b);
-                 })->name;
-  asked.refuted = fmt::format("Twice as many would be {}, as n {}.",
-                              fixed(before * ways[1].ratio, 1), fixed(before * ways[2].ratio, 1));
-  text.caption =
-      fmt::format("Question: from n = {} to {}, how do the iterations grow? Point at a place.",
-                  grouped(measured[size - 1].vertices), grouped(measured[size].vertices));
 }
 
 }  // namespace gjkscope::captions

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "gjk/vector.hpp"
 #include "subjects/hierarchy/shown.hpp"
 #include "subjects/subjects.hpp"
 
@@ -75,6 +77,145 @@ bool asks_about_halves(const Lesson& lesson, long visit) {
                      });
 }
 
+std::optional<Extra> extra_of(const LessonRun& run, const Frame& frame) {
+  if (frame.question >= 0) {
+    const std::string& ask = run.asked(frame).ask;
+    for (std::size_t i = 0; i < kExtraAsks.size(); ++i) {
+      if (kExtraAsks[i]->name == ask) return static_cast<Extra>(i);
+    }
+  }
+  return frame.part < 0 ? std::nullopt : std::optional(static_cast<Extra>(frame.part));
+}
+
+bool is_known(const LessonRun& run, const Frame& frame, Extra extra) {
+  if (frame.question >= 0 &&
+      run.asked(frame).ask == kExtraAsks[static_cast<std::size_t>(extra)]->name)
+    return false;
+  const bool is_at_end = extra >= Extra::tile_size;
+  if (is_at_end) return frame.part >= static_cast<int>(extra);
+  return frame.step >= 0 || frame.part >= static_cast<int>(extra);
+}
+
+bool is_asked(const Lesson& lesson, const AskInfo& ask) {
+  return std::any_of(lesson.questions.begin(), lesson.questions.end(),
+                     [&](const LessonQuestion& question) { return question.ask == ask.name; });
+}
+
+bool is_asked_at(const Lesson& lesson, const AskInfo& ask, long visit) {
+  return std::any_of(lesson.questions.begin(), lesson.questions.end(),
+                     [&](const LessonQuestion& question) {
+                       return question.ask == ask.name && question.at.value_or(visit) == visit;
+                     });
+}
+
+NodeOnWay node_on_way(const std::vector<TreeNode>& tree) {
+  NodeOnWay out{0, {0}};
+  while (!tree[out.way.back()].is_leaf()) {
+    const TreeNode& node = tree[out.way.back()];
+    const bool left_is_larger = tree[node.left].count > tree[node.right].count;
+    out.way.push_back(left_is_larger ? node.left : node.right);
+  }
+  out.node = out.way[std::min<std::size_t>(2, out.way.size() - 1)];
+  return out;
+}
+
+TiledSegment longest_segment(const Shown& shown) {
+  TiledSegment out;
+  const std::vector<models::Segment>& segments = shown.search.x.segments;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Eigen::Vector2d way = segments[i].b - segments[i].a;
+    const double length = gjk::length(way);
+    if (length > out.length) out = {static_cast<int>(i), length, {}};
+  }
+  const std::vector<TreeNode>& tree = shown.search.tree_x;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (tree[i].is_leaf() && shown.search.segments_x[tree[i].first] == out.segment)
+      out.leaves.push_back(static_cast<int>(i));
+  }
+  return out;
+}
+
+SplitOfTiles split_of(const std::vector<TreeNode>& tree, int node) {
+  SplitOfTiles out;
+  std::array<std::vector<double>, 2> places;
+  const int middle = tree[tree[node].right].first;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const bool is_below =
+        tree[i].first >= tree[node].first && tree[i].first < tree[node].first + tree[node].count;
+    if (!tree[i].is_leaf() || !is_below) continue;
+    out.leaves[tree[i].first < middle ? 0 : 1].push_back(static_cast<int>(i));
+    const Eigen::Vector2d& centre = std::get<models::Circle>(tree[i].volume).centre;
+    for (const int axis : {0, 1}) places[axis].push_back(centre[axis]);
+  }
+  for (const int axis : {0, 1}) {
+    std::vector<double>& along = places[axis];
+    std::sort(along.begin(), along.end());
+    const std::size_t half = along.size() / 2;
+    out.spread[axis] = along.back() - along.front();
+    out.middle[axis] = 0.5 * (along[half - 1] + along[half]);
+  }
+  return out;
+}
+
+std::string segment_name(const Shown& shown, bool of_x, int index) {
+  const models::Segment& segment = shown.search.model(of_x).segments[index];
+  const LessonShape& shape = of_x ? shown.lesson.x() : shown.lesson.y();
+  const VertexRange range = shape.ranges()[segment.outline];
+  const auto name = [&](int i) { return shape.vertex_names[range.first + i % range.count]; };
+  return name(segment.index) + name(segment.index + 1);
+}
+
+namespace {
+
+/// A number that counts what is done with it.
+struct Counted {
+  double value = 0.0;
+  int* count = nullptr;
+  friend bool operator<(const Counted& a, const Counted& b) {
+    ++*a.count;
+    return a.value < b.value;
+  }
+  friend Counted operator-(const Counted& a, const Counted& b) {
+    ++*a.count;
+    return {a.value - b.value, a.count};
+  }
+  friend Counted operator+(const Counted& a, const Counted& b) {
+    ++*a.count;
+    return {a.value + b.value, a.count};
+  }
+  friend Counted operator*(const Counted& a, const Counted& b) {
+    ++*a.count;
+    return {a.value * b.value, a.count};
+  }
+  friend Counted root(const Counted& a) {
+    ++*a.count;
+    return {std::sqrt(a.value), a.count};
+  }
+};
+
+}  // namespace
+
+BoxTests tests_of(const models::Box& a, const models::Box& b) {
+  BoxTests out;
+  int* count = &out.meet;
+  const auto low = [&](const models::Box& box, int axis) { return Counted{box.low[axis], count}; };
+  const auto high = [&](const models::Box& box, int axis) {
+    return Counted{box.high[axis], count};
+  };
+  for (const int axis : {0, 1}) {
+    if (high(a, axis) < low(b, axis) || high(b, axis) < low(a, axis)) break;
+  }
+  count = &out.distance;
+  const auto gap = [&](int axis) {
+    return std::max(std::max(low(b, axis) - high(a, axis), low(a, axis) - high(b, axis)),
+                    Counted{0.0, count});
+  };
+  const Counted x = gap(0);
+  const Counted y = gap(1);
+  root(x * x + y * y);
+  return out;
+}
+
 bool ends_visit(const SearchStep& step) {
   return step.phase == SearchPhase::leaf || step.phase == SearchPhase::descend ||
          (step.phase == SearchPhase::bound && step.record.cut);
@@ -82,16 +223,19 @@ bool ends_visit(const SearchStep& step) {
 
 namespace {
 
-constexpr std::array kCollideAsks = {kAskDescend, kAskHalf};
-constexpr std::array kDistanceAsks = {kAskWin, kAskTable, kAskHalf};
+constexpr std::array kCollideAsks = {kAskDescend, kAskHalf, kAskPieces, kAskPairs, kAskNode};
+constexpr std::array kDistanceAsks = {kAskWin,      kAskTable,     kAskHalf,   kAskTiles,
+                                      kAskSplit,    kAskFirstLeaf, kAskDearer, kAskGap,
+                                      kAskTileSize, kAskVolume,    kAskWider};
 
 /// Whether a question may be about this visit: then it has a frame of its own, before what comes of
 /// it. Thus has the first.
 bool is_introduced(const Lesson& lesson, long visit) {
-  return visit == 1 || std::any_of(lesson.questions.begin(), lesson.questions.end(),
-                                   [&](const LessonQuestion& question) {
-                                     return question.at.value_or(visit) == visit;
-                                   });
+  constexpr std::array kOfVisits = {&kAskDescend,   &kAskWin,    &kAskTable, &kAskHalf,
+                                    &kAskFirstLeaf, &kAskDearer, &kAskGap};
+  return visit == 1 || std::any_of(kOfVisits.begin(), kOfVisits.end(), [&](const AskInfo* ask) {
+           return is_asked_at(lesson, *ask, visit);
+         });
 }
 
 /// The visit that ends with step `i` comes to the same as the next one, whose frame tells of both.
@@ -112,10 +256,18 @@ bool is_explained_with_the_next(const Lesson& lesson, const std::vector<SearchSt
 void add_frames(LessonRun& run, int index) {
   constexpr long kBetween = 8;
   constexpr long kMostHits = 2;
-  const auto add = [&](int over) { run.frames.push_back({.run = index, .step = over - 1}); };
+  const auto add = [&](int over, int part = -1) {
+    run.frames.push_back({.run = index, .step = over - 1, .part = part});
+  };
   const models::SearchTrace& trace = search_trace(run, index)->trace;
   add(0);
   if (trace.steps.empty()) return;
+  const auto add_extra = [&](int over, Extra extra) {
+    const auto part = static_cast<std::size_t>(extra);
+    if (index == 0 && is_asked(run.lesson, *kExtraAsks[part])) add(over, static_cast<int>(part));
+  };
+  for (const Extra extra : {Extra::pieces, Extra::pairs, Extra::node, Extra::tiles, Extra::split})
+    add_extra(0, extra);
   const long visits = trace.result.visits;
   const bool is_long = visits > kMostVisits;
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
@@ -133,7 +285,9 @@ void add_frames(LessonRun& run, int index) {
         (ends_visit(step) && !is_between && !is_explained_later))
       add(i + 1);
   }
-  add(static_cast<int>(trace.steps.size()) + 1);
+  const int over = static_cast<int>(trace.steps.size()) + 1;
+  add(over);
+  for (const Extra extra : {Extra::tile_size, Extra::volume}) add_extra(over, extra);
 }
 
 /// Both halves are drawn as nodes, and for a distance one of them is nearer, as a reader can see.
@@ -149,6 +303,14 @@ bool can_ask_about(const Shown& shown, const Halves& halves) {
 int answering_step(const LessonRun& run, const Frame& before, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, before);
+  if (shown.is_refused()) return -1;
+  for (std::size_t i = 0; i < kExtraAsks.size(); ++i) {
+    if (question.ask != kExtraAsks[i]->name) continue;
+    const bool is_of_tiles = static_cast<Extra>(i) >= Extra::tiles;
+    return frame.part == static_cast<int>(i) && (!is_of_tiles || shown.has_tiles()) ? 0 : -1;
+  }
+  if (question.ask == kAskWider.name)
+    return !shown.is_answer && frame.part < 0 && Shown(run, frame).is_answer ? frame.step : -1;
   if (question.ask == kAskTable.name) {
     const Shown after(run, frame);
     const bool answers =
@@ -168,15 +330,27 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
   if (shown.is_answer || !shown.is(SearchPhase::visit)) return -1;
   if (question.at && *question.at != shown.state.visits) return -1;
   const SearchStep& bound = shown.search.trace.steps[shown.over];
-  const bool is_open =
-      shown.is_distance() ? shown.state.candidate.has_value() : !shown.are_leaves();
+  const bool has_candidate = shown.state.candidate.has_value();
+  const bool are_boxes = trees_of(run.lesson).volumes == VolumeKind::boxes;
+  const bool is_open = question.ask == kAskFirstLeaf.name
+                           ? !has_candidate && shown.state.pair.bound > 0.0
+                       : question.ask == kAskDearer.name ? are_boxes
+                       : question.ask == kAskGap.name ? !are_boxes && shown.state.pair.bound > 0.0
+                       : shown.is_distance()          ? has_candidate
+                                                      : !shown.are_leaves();
   return is_open && frame.step >= shown.over && bound.phase == SearchPhase::bound ? shown.over : -1;
 }
+
+constexpr std::array<std::string_view, 7> kExtraNames = {
+    "pieces?", "all pairs", "a node", "tiles", "halves", "sizes of tiles", "volumes"};
 
 std::string position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[index];
   const Shown shown(run, frame);
   const std::string where = run.runs.size() > 1 ? position_on_path(run, index) + " · " : "";
+  const std::optional<Extra> extra = extra_of(run, frame);
+  if (extra && frame.part >= 0)
+    return where + std::string(kExtraNames[static_cast<std::size_t>(*extra)]);
   if (shown.step == nullptr) return where + "start";
   if (shown.is_answer) return where + "answer";
   if (shown.is(SearchPhase::contain)) return where + "nothing waits";
@@ -187,8 +361,11 @@ std::string position(const LessonRun& run, int index) {
 
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
+  const std::string label(frame.part < 0 ? "start" : kExtraNames[frame.part]);
   if (shown.step == nullptr)
-    return {.group = group_of_position(run, frame, "start"), .label = "start"};
+    return {.group = group_of_position(run, frame, "start"), .label = label};
+  if (shown.is_answer && frame.part >= 0)
+    return {.group = group_of_position(run, frame, "answer"), .label = label};
   if (shown.is_answer)
     return {.group = group_of_position(run, frame, "answer"),
             .label = "answer",
@@ -242,12 +419,17 @@ namespace gjkscope {
 
 const SubjectParts subjects::hierarchy{
     .acts = {&searches::kCollide, &searches::kDistance, &searches::kOrders},
-    .blocks = {&searches::kCollideCounters, &searches::kDistanceCounters,
-               &searches::kOrderCounters},
+    .blocks = {&searches::kCollideCounters, &searches::kDistanceCounters, &searches::kBoxTests,
+               &searches::kTable, &searches::kOrderCounters},
     .listings = {&searches::kCollideListing, &searches::kDistanceListing},
     .legend = {{"volume.child", "volumes of the children"},
                {"volume.band", "nearer to a than δ"},
                {"volume.segment", "the two segments compared"},
+               {"volume.bounded", "segments that the box bounds"},
+               {"volume.tile.marked", "tiles asked about"},
+               {"volume.half", "one half of the tiles"},
+               {"volume.split", "line that halves the tiles"},
+               {"volume.centres", "way between centres, with radii"},
                {"region.hatch", "cut off, with all in it"},
                {"gap.exact", "shortest way between volumes"}},
 };

@@ -123,10 +123,33 @@ void run_search(TracedSearch& traced, const models::Hierarchy<V>& tree_x,
   traced.trace = models::trace_search(query, traced.options);
   traced.tree_x = tree_nodes(tree_x);
   traced.tree_y = tree_nodes(tree_y);
+  for (const models::Item& item : tree_x.items) traced.segments_x.push_back(item.segment);
   if (traced.options.goal == Goal::collide) return;
   models::SearchOptions left_first = traced.options;
   left_first.nearer_first = false;
   traced.left_first = models::trace_search(query, left_first);
+  models::SearchOptions collide = traced.options;
+  collide.goal = Goal::collide;
+  collide.remembered.reset();
+  traced.collide = models::trace_search(query, collide);
+}
+
+/// Searches for the distance with tiles from an eighth of the lesson's size to eight times, and
+/// without.
+void compare_tiles(TracedSearch& traced, double radius) {
+  for (double share = 0.125; share <= 8.0; share *= 2.0) {
+    const auto tree = [&](const models::Model& model) {
+      return models::build_hierarchy<models::Circle>(
+          models::tiles_of(model, share * radius, kMostTiles));
+    };
+    const auto tree_x = tree(traced.x);
+    const auto tree_y = tree(traced.y);
+    traced.tile_sizes.push_back(
+        {share * radius,
+         models::search<models::Circle>({traced.x, traced.y, tree_x, tree_y}, traced.options)});
+  }
+  traced.of_boxes = models::search<models::Box>(traced.x, traced.y);
+  traced.of_circles = models::search<models::Circle>(traced.x, traced.y);
 }
 
 std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const PositionedRun& run,
@@ -165,6 +188,7 @@ std::shared_ptr<const AlgorithmTrace> search_shapes(const Lesson& lesson, const 
       traced.options.table = true;
       traced.options.relative_error = lesson.options.tolerance;
       search(std::type_identity<models::Circle>{}, tiles);
+      compare_tiles(traced, trees.tile);
       break;
   }
   return std::make_shared<const LessonTrace>(std::nullopt, std::move(traced));

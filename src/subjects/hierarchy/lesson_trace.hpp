@@ -16,15 +16,28 @@ namespace gjkscope {
 using Volume = std::variant<models::Box, models::Circle>;
 using TreeNode = models::Node<Volume>;
 
+/// What a search with tiles of at most this radius comes to.
+struct TileSize {
+  double radius = 0.0;
+  models::SearchResult result;
+};
+
 /// The trace of a search with the shapes of one run. A is X, B is Y.
 struct TracedSearch {
   models::Model x;
   models::Model y;
   std::vector<TreeNode> tree_x;
   std::vector<TreeNode> tree_y;
+  std::vector<int> segments_x;  ///< Of the items of X's tree, in its order.
   models::SearchOptions options;
   models::SearchTrace trace;       ///< Without steps where shapes are refused.
   models::SearchTrace left_first;  ///< For a distance: the same search, the left child first.
+  models::SearchTrace collide;     ///< For a distance: the search for a meeting in the same trees.
+  /// For tiles: the same search with tiles of other sizes, the smallest first, and in trees over
+  /// whole segments.
+  std::vector<TileSize> tile_sizes;
+  models::SearchResult of_boxes;
+  models::SearchResult of_circles;
   std::optional<Refusal> refusal;
 
   [[nodiscard]] const models::Model& model(bool of_x) const { return of_x ? x : y; }

@@ -1,6 +1,9 @@
 #pragma once
 // The search over two trees in pictures: what a frame shows of it, and what its acts draw and say.
 
+#include <array>
+#include <optional>
+
 #include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "run/algorithm_facts.hpp"
@@ -16,6 +19,42 @@ inline constexpr AskInfo kAskTable{
     "table", "whether two tiles are measured or their segments are in the table", "at visit"};
 inline constexpr AskInfo kAskWin{"win", "whether a pair of volumes is too far apart to matter",
                                  "at visit"};
+inline constexpr AskInfo kAskPieces{
+    "cut-to-pieces", "which of the shapes can be cut into convex pieces", "at position"};
+inline constexpr AskInfo kAskPairs{"all-pairs", "how many pairs of segments there are",
+                                   "at position"};
+inline constexpr AskInfo kAskNode{"node", "which node of the tree has a volume", "at position"};
+inline constexpr AskInfo kAskTiles{"tiles", "how many tiles the longest segment has",
+                                   "at position"};
+inline constexpr AskInfo kAskSplit{"split", "the line that halves the tiles of a shape",
+                                   "at position"};
+inline constexpr AskInfo kAskTileSize{
+    "tile-size", "how many pairs of segments are measured with larger tiles", "at position"};
+inline constexpr AskInfo kAskVolume{
+    "volume", "with which volumes the search visits the fewest pairs", "at position"};
+inline constexpr AskInfo kAskFirstLeaf{
+    "first-leaf", "whether a pair of volumes can be cut before segments are measured", "at visit"};
+inline constexpr AskInfo kAskDearer{
+    "dearer", "whether the distance of two boxes takes more operations than whether they meet",
+    "at visit"};
+inline constexpr AskInfo kAskGap{"gap", "how far apart two circles are", "at visit"};
+inline constexpr AskInfo kAskWider{"wider", "how many visits a search for a meeting takes",
+                                   "at position"};
+
+/// Frames besides the steps, each where a lesson asks what it answers: at the start the shape that
+/// can be cut into pieces, all pairs of segments, a node and its volume, the tiles of a segment,
+/// the halves of all tiles; at the answer sizes of tiles, and volumes, against visits.
+enum class Extra : std::uint8_t { pieces, pairs, node, tiles, split, tile_size, volume };
+/// What each of them answers.
+inline constexpr std::array<const AskInfo*, 7> kExtraAsks = {
+    &kAskPieces, &kAskPairs, &kAskNode, &kAskTiles, &kAskSplit, &kAskTileSize, &kAskVolume};
+/// That of a frame which shows one, or asks for it.
+[[nodiscard]] std::optional<Extra> extra_of(const LessonRun& run, const Frame& frame);
+/// The frame shows what `extra` answers, or comes after those that do.
+[[nodiscard]] bool is_known(const LessonRun& run, const Frame& frame, Extra extra);
+[[nodiscard]] bool is_asked(const Lesson& lesson, const AskInfo& ask);
+/// The question of this name, about this visit.
+[[nodiscard]] bool is_asked_at(const Lesson& lesson, const AskInfo& ask, long visit);
 
 /// Searches with more visits are summed up: frames show their milestones alone.
 inline constexpr long kMostVisits = 40;
@@ -88,6 +127,39 @@ struct Shown {
   [[nodiscard]] std::vector<NodeState> node_states(bool of_x) const;
 };
 
+/// A node of X's tree two levels below the root, and the way to a leaf that leads over it.
+struct NodeOnWay {
+  int node = 0;
+  std::vector<int> way;
+};
+[[nodiscard]] NodeOnWay node_on_way(const std::vector<TreeNode>& tree);
+/// The longest segment of X, and its tiles among the leaves of X's tree.
+struct TiledSegment {
+  int segment = 0;
+  double length = 0.0;
+  std::vector<int> leaves;
+};
+[[nodiscard]] TiledSegment longest_segment(const Shown& shown);
+/// The two halves of the tiles below a node, and where lines along both axes would halve them.
+struct SplitOfTiles {
+  std::array<std::vector<int>, 2> leaves;
+  Eigen::Vector2d spread;  ///< Of their centres.
+  Eigen::Vector2d middle;
+  [[nodiscard]] int axis() const { return spread.y() > spread.x() ? 1 : 0; }
+};
+[[nodiscard]] SplitOfTiles split_of(const std::vector<TreeNode>& tree, int node);
+/// The line that halves them along an axis, as far as it is drawn.
+[[nodiscard]] std::pair<Eigen::Vector2d, Eigen::Vector2d> line_of(const SplitOfTiles& split,
+                                                                  int axis);
+/// "x2x3"
+[[nodiscard]] std::string segment_name(const Shown& shown, bool of_x, int index);
+/// Operations of two tests of boxes, counted as they run.
+struct BoxTests {
+  int meet = 0;      ///< Comparisons until it is known that the boxes are apart, or meet.
+  int distance = 0;  ///< Operations that their distance takes.
+};
+[[nodiscard]] BoxTests tests_of(const models::Box& a, const models::Box& b);
+
 /// A lesson asks what this visit answers about the halves that the one before it made.
 [[nodiscard]] bool asks_about_halves(const Lesson& lesson, long visit);
 /// The step that ends the visit of a pair.
@@ -96,6 +168,8 @@ struct Shown {
 // blocks.cpp
 extern const Block kCollideCounters;
 extern const Block kDistanceCounters;
+extern const Block kBoxTests;
+extern const Block kTable;
 extern const Listing kCollideListing;
 extern const Listing kDistanceListing;
 
@@ -124,6 +198,8 @@ std::string trees_title(const LessonRun& run);
 [[nodiscard]] Mark node_mark(NodeState state, const Point& at, double radius);
 /// The node that is visited.
 [[nodiscard]] Mark current_mark(const Point& at, bool is_cut = false);
+/// A ring around a node that the search for a meeting visits, too.
+[[nodiscard]] Mark met_mark(const Point& at);
 inline constexpr double kNodeRadius = 6.0;  ///< The largest.
 /// An entry of the key: the meaning of a mark, and a mark like it in a given place.
 struct KeyEntry {

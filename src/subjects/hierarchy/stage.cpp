@@ -69,6 +69,7 @@ class Stage {
     if (shown_.is_distance() && shown_.has_pair() && shown_.state.candidate) below_ = band();
     quiet_volumes();
     if (shown_.has_tiles()) tiles();
+    if (scene_.frame.step < 0 || shown_.is_answer) extra();
     if (shown_.is_cut()) hatch();
     // All of it lies below the shapes, which can be taken hold of wherever they are.
     scene_.out.marks.insert(scene_.out.marks.begin(), below_.begin(), below_.end());
@@ -116,14 +117,75 @@ class Stage {
     }
   }
 
-  /// The leaves of both trees.
+  [[nodiscard]] bool shows(Extra extra) const {
+    return extra_of(scene_.run, scene_.frame) == extra;
+  }
+  [[nodiscard]] bool is_known(Extra extra) const {
+    return searches::is_known(scene_.run, scene_.frame, extra);
+  }
+
+  /// The leaves of both trees, unless their number is asked for.
   void tiles() {
+    if (is_asked(scene_.run.lesson, kAskTiles) && !is_known(Extra::tiles)) return;
     for (const bool of_x : {true, false}) {
       for (const TreeNode& node : shown_.search.tree(of_x)) {
         if (node.is_leaf())
           below_.push_back({"volume.tile", Polyline{mapped(outline_of(node.volume)), true}});
       }
     }
+  }
+
+  void circle(const std::string& role, int leaf) {
+    scene_.add(role, Polyline{mapped(outline_of(volume_of(true, leaf))), true});
+  }
+
+  void extra() {
+    if (shows(Extra::node)) {
+      const int node = node_on_way(shown_.search.tree_x).node;
+      const TreeNode& bounding = shown_.search.tree_x[node];
+      for (int i = bounding.first; i < bounding.first + bounding.count; ++i) {
+        const models::Segment& s = shown_.search.x.segments[shown_.search.segments_x[i]];
+        scene_.line("volume.bounded", scene_.at(s.a), scene_.at(s.b));
+      }
+      volume(true, node, "volume.x");
+    }
+    if (shows(Extra::tiles)) {
+      const TiledSegment longest = longest_segment(shown_);
+      const models::Segment& s = shown_.search.x.segments[longest.segment];
+      scene_.line("volume.bounded", scene_.at(s.a), scene_.at(s.b));
+      if (!is_known(Extra::tiles)) return;
+      for (const int leaf : longest.leaves) circle("volume.tile.marked", leaf);
+    }
+    if (shows(Extra::split)) split();
+  }
+
+  /// All tiles in one circle, and the lines that could halve them; then both halves.
+  void split() {
+    const std::vector<TreeNode>& tree = shown_.search.tree_x;
+    const SplitOfTiles split = split_of(tree, 0);
+    volume(true, 0, "volume.x");
+    for (const int axis : {0, 1}) {
+      if (is_known(Extra::split) && axis != split.axis()) continue;
+      const auto [from, to] = line_of(split, axis);
+      scene_.line("volume.split", scene_.at(from), scene_.at(to));
+      if (is_known(Extra::split)) continue;
+      scene_.out.moving_labels.push_back(
+          scene_.label(axis == 0 ? "split:upright" : "split:level", axis == 0 ? "upright" : "level",
+                       "volume.x.label", type::kSmallVertex, scene_.at(to), 0.0,
+                       axis == 0 ? Point(1.0, 0.0) : Point(0.0, -1.0)));
+    }
+    if (!is_known(Extra::split)) return;
+    for (const int leaf : split.leaves[0]) circle("volume.half", leaf);
+    for (const int child : {tree[0].left, tree[0].right}) volume(true, child, "volume.child");
+  }
+
+  /// Of the circles that are visited: their centres and radii.
+  void centres() {
+    const Circle& a = std::get<Circle>(shown_.node(true).volume);
+    const Circle& b = std::get<Circle>(shown_.node(false).volume);
+    scene_.line("volume.centres", scene_.at(a.centre), scene_.at(b.centre));
+    for (const Circle* each : {&a, &b})
+      scene_.disk("volume.centres", scene_.at(each->centre), kClosestRadius);
   }
 
   void hatch() {
@@ -154,6 +216,9 @@ class Stage {
       label.other_anchors = {corners.begin() + 1, corners.end()};
       scene_.out.moving_labels.push_back(std::move(label));
     }
+    if (std::holds_alternative<Circle>(shown_.node(true).volume) &&
+        is_asked_at(scene_.run.lesson, kAskGap, shown_.state.visits))
+      centres();
     if (shown_.is_cut()) gap("gap", shown_.state.pair);
   }
 
@@ -231,6 +296,17 @@ void shortest_way(SceneBuilder& scene, const TracedSearch& search, const models:
   scene.out.moving_labels.push_back(
       scene.label(id, before + Numbers(scene.run.lesson)(closest.distance), "distance.label",
                   type::kSmallVertex, 0.5 * (x + y), 2.0, Point(x.y() - y.y(), y.x() - x.x())));
+}
+
+std::pair<Vector2d, Vector2d> line_of(const SplitOfTiles& split, int axis) {
+  constexpr double kBeyond = 0.3;  // of the spread, to both sides
+  const int other = 1 - axis;
+  Vector2d from = split.middle;
+  const double half = (0.5 + kBeyond) * split.spread[other];
+  Vector2d to = from;
+  from[other] -= half;
+  to[other] += half;
+  return {from, to};
 }
 
 void stage(SceneBuilder& scene) { Stage(scene).draw(); }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "picture/text_box.hpp"
+#include "subjects/growth/subject.hpp"
 #include "subjects/hierarchy/shown.hpp"
 
 namespace gjkscope::searches {
@@ -74,6 +75,21 @@ class TreePicture {
     const double down = depth_ == 0 ? 0.0 : static_cast<double>(depths_[i]) / depth_;
     return area_.min + Point(along * area_.size().x(), down * area_.size().y());
   }
+  /// The node that a question at the start asked for.
+  [[nodiscard]] bool is_asked_node(std::size_t i) const {
+    return of_x_ && scene_.frame.step < 0 && extra_of(scene_.run, scene_.frame) == Extra::node &&
+           is_known(scene_.run, scene_.frame, Extra::node) &&
+           node_on_way(tree_).node == static_cast<int>(i);
+  }
+  /// Visited by the search for a meeting, too, where the answer compares both.
+  [[nodiscard]] bool is_met(std::size_t i) const {
+    if (!shown_.is_answer || !is_asked(scene_.run.lesson, kAskWider)) return false;
+    const std::vector<models::SearchStep>& steps = shown_.search.collide.steps;
+    return std::any_of(steps.begin(), steps.end(), [&](const models::SearchStep& step) {
+      return step.phase == models::SearchPhase::bound &&
+             (of_x_ ? step.after.pair.a : step.after.pair.b) == static_cast<int>(i);
+    });
+  }
   [[nodiscard]] bool is_current(std::size_t i) const {
     return shown_.has_pair() && shown_.node_index(of_x_) == static_cast<int>(i);
   }
@@ -124,6 +140,8 @@ class TreePicture {
       mark = current_mark(at, shown_.is_cut());
       name(at, tree_[i].is_leaf());
     }
+    if (is_asked_node(i)) mark = {"tree.better", Disk{at, kCurrent}};
+    if (is_met(i)) scene_.out.marks.push_back(met_mark(at));
     mark.subject = subject;
     scene_.out.marks.push_back(std::move(mark));
   }
@@ -181,6 +199,8 @@ Mark current_mark(const Point& at, bool is_cut) {
   return {"tree.current", Disk{at, kCurrent}};
 }
 
+Mark met_mark(const Point& at) { return {"tree.met", Disk{at, kCurrent + 3.0}}; }
+
 void key(SceneBuilder& scene, const Fonts& fonts, std::span<const KeyEntry> entries) {
   constexpr std::size_t kColumns = 3;
   constexpr double kRow = 24.0;
@@ -218,15 +238,57 @@ std::array<Rect, 2> tree_areas(const Rect& card) {
   return {Rect{corner, corner + size}, Rect{corner + down, corner + down + size}};
 }
 
+namespace {
+
+/// Visits and measured pairs against the size of tiles, as far as the frame tells them.
+Plot plot_of_tiles(const SceneBuilder& scene, const Shown& shown) {
+  const std::vector<TileSize>& sizes = shown.search.tile_sizes;
+  const double own = trees_of(shown.lesson).tile;
+  PlotSeries visits{PlotStyle::first, "tiles: visits", {}};
+  PlotSeries measured{PlotStyle::third, "tiles: pairs measured", {}};
+  double most = 10.0;
+  for (const TileSize& size : sizes) {
+    const bool has_measured =
+        size.radius <= own || is_known(scene.run, scene.frame, Extra::tile_size);
+    visits.points.emplace_back(size.radius, static_cast<double>(size.result.visits));
+    most = std::max(most, static_cast<double>(size.result.visits));
+    if (has_measured)
+      measured.points.emplace_back(size.radius, static_cast<double>(size.result.measured));
+  }
+  Plot plot;
+  plot.x = {sizes.front().radius, sizes.back().radius, true, "largest radius of a tile"};
+  plot.series = {std::move(visits), std::move(measured)};
+  if (is_known(scene.run, scene.frame, Extra::volume)) {
+    const auto level = [&](PlotStyle style, std::string name, const models::SearchResult& result) {
+      const auto at = static_cast<double>(result.visits);
+      most = std::max(most, at);
+      plot.series.push_back(
+          {style, std::move(name), {{plot.x.low, at}, {plot.x.high, at}}, PlotJoin::lines, false});
+    };
+    level(PlotStyle::limit, "boxes: visits", shown.search.of_boxes);
+    level(PlotStyle::second, "circles of segments: visits", shown.search.of_circles);
+  }
+  plot.y = {1.0, std::pow(10.0, std::ceil(std::log10(most))), true, "pairs"};
+  plot.current = own;
+  return plot;
+}
+
+}  // namespace
+
 bool trees(SceneBuilder& scene, const Fonts& fonts) {
   if (scene.view.kind != ViewKind::plot) return false;
   const Shown& shown = shown_in<Shown>(scene);
   if (shown.is_refused()) return true;
+  if (shown.is_answer && scene.frame.part >= 0) {
+    layers::add_plot(scene, plot_of_tiles(scene, shown), fonts);
+    return true;
+  }
   const auto [above, below] = tree_areas(scene.map.area());
   TreePicture(scene, shown, true, above).draw(fonts);
   TreePicture(scene, shown, false, below).draw(fonts);
-  constexpr std::array<KeyEntry, 6> kEntries = {
+  constexpr std::array<KeyEntry, 7> kEntries = {
       {{[](const Point& at) { return current_mark(at); }, "a and b"},
+       {[](const Point& at) { return met_mark(at); }, "collide"},
        {[](const Point& at) { return node_mark(NodeState::waiting, at, kNodeRadius); }, "waits"},
        {[](const Point& at) { return node_mark(NodeState::ahead, at, kNodeRadius); }, "not yet"},
        {[](const Point& at) { return node_mark(NodeState::visited, at, kNodeRadius); }, "visited"},

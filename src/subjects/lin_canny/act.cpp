@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <array>
+#include <string>
 
 #include "subjects/lin_canny/shown.hpp"
 #include "subjects/subjects.hpp"
@@ -29,36 +32,74 @@ std::vector<Border> Shown::borders(bool of_x) const {
           {{a, Eigen::Vector2d(-way.y(), way.x())}, at}};
 }
 
+std::vector<models::WalkState> Shown::pairs() const {
+  std::vector<models::WalkState> out;
+  for (const models::WalkStep& each : walk.trace.steps) {
+    if (each.phase == WalkPhase::closest) out.push_back(each.after);
+  }
+  return out;
+}
+
 namespace {
 
-constexpr std::array kAsks = {kAskFeature};
+void frames(LessonRun& run, int index) {
+  add_algorithm_frames(run, index);
+  constexpr int kMostPairs = 2500;  // that a grid has room for
+  const TracedWalk& walk = *walk_trace(run, index);
+  if (run.runs.size() > 1 || walk.trace.result.stop != models::WalkStop::closest ||
+      walk.query->pairs() > kMostPairs)
+    return;
+  run.frames.push_back(
+      {.run = index, .step = static_cast<int>(walk.trace.steps.size()), .part = 0});
+}
+
+constexpr std::array kAsks = {kAskFeature, kAskMost};
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
+  if (question.ask == kAskMost.name) return shows_pairs(run, frame) ? frame.step : -1;
   const Shown shown(run, frame);
   if (question.ask != kAskFeature.name || !shown.is(WalkPhase::regions)) return -1;
   if (question.at && *question.at != run.info(frame).iteration) return -1;
   return shown.state.found.behind ? -1 : frame.step;
 }
 
+std::string position(const LessonRun& run, int index) {
+  if (!shows_pairs(run, run.frames[index])) return position_in_algorithm(run, index);
+  return fmt::format("all pairs · {} of {}", index + 1, run.frames.size());
+}
+
+Tick tick(const LessonRun& run, const Frame& frame) {
+  if (shows_pairs(run, frame)) return {.group = "pairs", .label = "all", .event = true};
+  return tick_of_algorithm(run, frame);
+}
+
 const Act kAct{
     .name = "lin-canny",
-    .meaning = "phase of the walk on the features of two polygons, then its answer",
+    .meaning =
+        "phase of the walk on the features of two polygons, then its answer and all its pairs",
     .needs = {.why_no_until = "frames show how the walk ends"},
-    .add_frames = add_algorithm_frames,
+    .add_frames = frames,
     .follows_run = true,
     .asks = kAsks,
     .answering_step = answering_step,
     .algorithm = &kLinCannyAlgorithm,
-    .position = position_in_algorithm,
-    .tick = tick_of_algorithm,
+    .position = position,
+    .tick = tick,
     .words = words,
     .stage = stage,
     .question = question,
     .values = values,
+    .fill = fill,
+    .plot_title = [](const LessonRun&) { return std::string("All pairs of features"); },
 };
 
 }  // namespace
+
+bool shows_pairs(const LessonRun& run, const Frame& frame) {
+  return frame.question < 0 && part_of<int>(kAct, run, frame).has_value();
+}
+
 }  // namespace gjkscope::walks
 
 namespace gjkscope {

@@ -1,3 +1,4 @@
+#include "picture/words.hpp"
 #include "subjects/lengths/subject.hpp"
 #include "subjects/lin_canny/shown.hpp"
 #include "subjects/run/subject.hpp"
@@ -51,7 +52,73 @@ void feature(SceneBuilder& scene, const Shown& shown, bool of_x) {
   scene.line("feature.edge", corner(at.index), corner(ring.next(at.index)));
 }
 
+/// The place of a feature among all of its ring: vertex A, edge AB, vertex B, ...
+int place_of(const RingFeature& feature) { return 2 * feature.index + (feature.is_vertex ? 0 : 1); }
+
+/// "A", "AB"
+std::string letters_of(const Shown& shown, bool of_x, int place) {
+  const std::string name = shown.name(of_x, {place % 2 == 0, place / 2});
+  const std::size_t from = name.find(' ') + 1;
+  return name.substr(from, name.find(' ', from) - from);
+}
+
 }  // namespace
+
+/// A column for each feature of X, a row for each of Y; the walk goes from cell to cell.
+bool fill(SceneBuilder& scene, const Fonts&) {
+  if (!shows_pairs(scene.run, scene.frame) || scene.view.kind != ViewKind::world) return false;
+  const Shown& shown = shown_in<Shown>(scene);
+  constexpr double kLetters = 44.0;
+  constexpr double kTitle = 74.0;
+  constexpr double kMargin = 16.0;
+  constexpr double kNumber = 44.0;  // the room that a distance needs
+  constexpr double kRow = 18.0;     // that of a name
+  const Rect& card = scene.map.area();
+  const Rect grid{card.min + Point(kLetters, kTitle), card.max - Point(kMargin, kMargin)};
+  const int columns = shown.features(true);
+  const int rows = shown.features(false);
+  const Point cell(grid.size().x() / columns, grid.size().y() / rows);
+  const auto middle = [&](double column, double row) -> Point {
+    return grid.min + Point((column + 0.5) * cell.x(), (row + 0.5) * cell.y());
+  };
+  for (int i = 0; i <= columns; ++i) {
+    const double x = grid.min.x() + i * cell.x();
+    scene.add(i == 0 ? "plot.axis" : "chart.grid",
+              Polyline{{{x, grid.min.y()}, {x, grid.max.y()}}});
+    // In narrow columns vertices alone have names.
+    if (i < columns && (i % 2 == 0 || cell.x() > kNumber))
+      scene.add("plot.third.label", Text{{middle(i, 0).x(), grid.min.y() - 10.0},
+                                         letters_of(shown, true, i),
+                                         type::kName,
+                                         Align::center});
+  }
+  for (int i = 0; i <= rows; ++i) {
+    const double y = grid.min.y() + i * cell.y();
+    scene.add(i == 0 ? "plot.axis" : "chart.grid",
+              Polyline{{{grid.min.x(), y}, {grid.max.x(), y}}});
+    if (i < rows && (i % 2 == 0 || cell.y() > kRow))
+      scene.add("plot.fourth.label", Text{{grid.min.x() - 10.0, middle(0, i).y() + 6.0},
+                                          letters_of(shown, false, i),
+                                          type::kName,
+                                          Align::right});
+  }
+  Polyline way;
+  const std::vector<models::WalkState> pairs = shown.pairs();
+  for (const models::WalkState& pair : pairs)
+    way.points.push_back(middle(place_of(pair.a), place_of(pair.b)));
+  const std::vector<Point> cells = way.points;
+  scene.add("plot.first.line", std::move(way));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const models::Answer closest =
+        models::answer_of(pairs[i].pair, shown.walk.query->model_a, shown.walk.query->model_b);
+    const Point half = 0.5 * cell - Point(2.0, 2.0);
+    scene.add("plot.current", Box{{cells[i] - half, cells[i] + half}, 4.0});
+    if (cell.x() < kNumber) continue;
+    scene.add("plot.first.label", Text{cells[i] + Point(0.0, 6.0), fixed(closest.distance, 2),
+                                       type::kText, Align::center});
+  }
+  return true;
+}
 
 void stage(SceneBuilder& scene) {
   const Shown& shown = shown_in<Shown>(scene);

@@ -12,6 +12,12 @@ namespace gjkscope::walks {
 
 inline constexpr AskInfo kAskFeature{"feature", "which feature the walk on features goes to next"};
 
+inline constexpr AskInfo kAskMost{"most-pairs", "how many pairs a walk may look at, at most"};
+
+/// The frame after the answer of a walk from scratch that ends at the closest pair: the pairs that
+/// it looked at, among all.
+[[nodiscard]] bool shows_pairs(const LessonRun& run, const Frame& frame);
+
 /// A border of a feature's external Voronoi region (Larsen 1998, "Lin-Canny").
 struct Border {
   HalfPlane line;                 ///< The region lies within.
@@ -53,6 +59,10 @@ struct Shown {
     return feature_name(lesson, *walk.query, of_x, feature);
   }
   [[nodiscard]] std::string name(bool of_x) const { return name(of_x, feature(of_x)); }
+  /// Pairs in the order in which the walk looked at them.
+  [[nodiscard]] std::vector<models::WalkState> pairs() const;
+  /// The number of vertices and edges.
+  [[nodiscard]] int features(bool of_x) const { return 2 * ring(of_x).size(); }
   /// The borders of the feature of X or Y, in the order in which the walk looks at them.
   [[nodiscard]] std::vector<Border> borders(bool of_x) const;
 };
@@ -62,6 +72,7 @@ extern const Block kFeatures;
 extern const Listing kListing;
 
 // layers.cpp
+bool fill(SceneBuilder& scene, const Fonts& fonts);
 void stage(SceneBuilder& scene);
 
 // words.cpp

@@ -17,6 +17,7 @@ class Telling {
 
   void tell() {
     if (!shown_.walk.query) return refused();
+    if (shows_pairs(story_.run, story_.frame)) return pairs();
     if (shown_.is_answer) return answer();
     if (shown_.step == nullptr) return start();
     switch (shown_.step->phase) {
@@ -146,11 +147,22 @@ class Telling {
               "again.";
   }
 
+  /// All pairs, of which the walk took a few.
+  void pairs() {
+    const std::vector<models::WalkState> pairs = shown_.pairs();
+    text_.caption =
+        fmt::format("The walk looked at {} of {} · {} pairs: each is closer than the last.",
+                    pairs.size(), shown_.features(true), shown_.features(false));
+    text_.detail = "No pair comes twice, so all of them are the most: O(n²), says Larsen.";
+  }
+
   void answer() {
     const models::WalkResult& result = shown_.walk.trace.result;
-    const int pairs = result.steps;
-    text_.detail = fmt::format("The walk measured {} of {} pairs of features.", pairs,
-                               shown_.walk.query->pairs());
+    const bool tells_of_all = story_.run.frames.back().part >= 0;
+    text_.detail = fmt::format(
+        "The walk measured {} pairs of features.",
+        tells_of_all ? std::to_string(result.steps)
+                     : fmt::format("{} of {}", result.steps, shown_.walk.query->pairs()));
     if (result.stop == WalkStop::overlap) {
       text_.caption = fmt::format("{} and {} overlap: the distance is 0.", x(), y());
     } else if (result.stop == WalkStop::local_minimum) {
@@ -177,11 +189,39 @@ class Telling {
 
 void words(const Story& story, FrameText& text) { Telling(story, text).tell(); }
 
+namespace {
+
+void most_question(const Shown& shown, FrameText& text) {
+  const int of_x = shown.features(true);
+  const int of_y = shown.features(false);
+  FrameQuestion& asked = *text.question;
+  asked.choices = {fmt::format("{} + {}", of_x, of_y), fmt::format("{} · {}", of_x, of_y),
+                   "no limit"};
+  asked.answer = asked.choices[1];
+  const std::vector<models::WalkState> pairs = shown.pairs();
+  const auto count = [&](const models::WalkState& one) {
+    return std::count_if(pairs.begin(), pairs.end(),
+                         [&](const models::WalkState& other) { return other.b == one.b; });
+  };
+  const auto most = std::max_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
+    return count(a) < count(b);
+  });
+  asked.refuted = fmt::format("One feature may come often: {} in {} pairs.",
+                              shown.name(false, most->b), count(*most));
+  text.caption = fmt::format(
+      "Question: {} has {} vertices and edges, {} has {}. How many pairs can a walk look at, at "
+      "most?",
+      shown.lesson.x().name, of_x, shown.lesson.y().name, of_y);
+}
+
+}  // namespace
+
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
-  const models::WalkStep& step = shown.walk.trace.steps[story.frame.answering_step];
   FrameQuestion& asked =
-      text.question.emplace(FrameQuestion{std::string(kAskFeature.name), {}, {}});
+      text.question.emplace(FrameQuestion{story.run.asked(story.frame).ask, {}, {}});
+  if (asked.ask == kAskMost.name) return most_question(shown, text);
+  const models::WalkStep& step = shown.walk.trace.steps[story.frame.answering_step];
   for (const bool of_x : {true, false}) {
     const models::Ring& ring = shown.ring(of_x);
     const models::RingFeature& at = of_x ? step.after.a : step.after.b;

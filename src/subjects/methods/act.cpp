@@ -5,6 +5,7 @@
 
 #include "run/questions.hpp"
 #include "subjects/growth/subject.hpp"
+#include "subjects/methods/closest_pairs.hpp"
 #include "subjects/methods/lesson_trace.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/subjects.hpp"
@@ -98,15 +99,18 @@ constexpr AskInfo kAskFront{
     "at position"};
 constexpr AskInfo kAskMemory{"memory", "which method saves the largest share of its steps",
                              "at position"};
-constexpr std::array kAsks = {kAskFront, kAskMemory, asks::kClosestX};
+constexpr AskInfo kAskNeedsZ{"needs-z", "which method computes points of Z", "at position"};
+constexpr std::array kAsks = {kAskFront, kAskMemory, kAskNeedsZ, asks::kClosestX};
 
 /// A position answers, from the second on, or the sum.
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   if (trace_at(run, frame).is_refused()) return -1;
   if (question.ask == kAskMemory.name) return is_sum(frame) && !question.at ? 0 : -1;
-  const bool is_open =
-      question.ask == kAskFront.name ? frame.run > 0 : trace_at(run, frame).answer.distance > 0.0;
+  const bool is_open = question.ask == kAskFront.name ? frame.run > 0
+                       : question.ask == kAskNeedsZ.name
+                           ? true
+                           : trace_at(run, frame).answer.distance > 0.0;
   return !is_sum(frame) && is_open && is_at(frame, question) ? 0 : -1;
 }
 
@@ -182,7 +186,13 @@ void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) 
 void question(const Story& story, FrameText& text) {
   FrameQuestion& asked = text.question.emplace();
   asked.ask = story.run.asked(story.frame).ask;
-  if (asked.ask == kAskFront.name) {
+  if (asked.ask == kAskNeedsZ.name) {
+    asked.choices = {"GJK", "Lin-Canny", "the trees", "all of them"};
+    asked.answer = asked.choices.front();
+    asked.refuted =
+        "Lin-Canny asks for regions of features, trees for distances of boxes: both do without Z.";
+    text.caption = "Question: which of these methods computes points of Z, the difference Y − X?";
+  } else if (asked.ask == kAskFront.name) {
     ask_about_front(trace_at(story.run, story.frame), text, asked);
   } else if (asked.ask != kAskMemory.name) {
     ask_for_closest(story, text, asked);
@@ -314,8 +324,9 @@ const Act kAct{
 namespace gjkscope {
 
 const SubjectParts subjects::methods{
-    .acts = {&gjkscope::methods::kAct},
-    .blocks = {&gjkscope::methods::kCounters},
+    .acts = {&gjkscope::methods::kAct, &jumps::kAct},
+    .blocks = {&gjkscope::methods::kCounters, &jumps::kMoves},
+    .legend = {{"ghost", "last position: Y, and the shortest way"}, {"ghost.arrow", "x jumps"}},
 };
 
 }  // namespace gjkscope

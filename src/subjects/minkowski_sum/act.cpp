@@ -6,11 +6,13 @@
 namespace gjkscope::sums {
 namespace {
 
-constexpr std::array kAsks = {kAskEdge};
+constexpr std::array kAsks = {kAskLowest, kAskEdge};
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
+  if (question.ask == kAskLowest.name)
+    return shown.is(minkowski_sum::Phase::lowest) ? frame.step : -1;
   if (question.ask != kAskEdge.name || !shown.is(minkowski_sum::Phase::edge)) return -1;
   if (question.at && *question.at != run.info(frame).iteration) return -1;
   const minkowski_sum::State& before = shown.step->before;

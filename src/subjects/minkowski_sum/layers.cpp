@@ -16,10 +16,11 @@ std::string role_of(Source source) {
   return source == Source::y ? "from.y" : source == Source::x ? "from.x" : "from.both";
 }
 
-/// The step that is asked about; none where a frame tells.
+/// The step whose edge is asked for; none where a frame tells.
 const minkowski_sum::Step* asked_step(const SceneBuilder& scene, const Shown& shown) {
   if (scene.frame.question < 0) return nullptr;
-  return &shown.merge.steps[scene.frame.answering_step];
+  const minkowski_sum::Step& step = shown.merge.steps[scene.frame.answering_step];
+  return step.phase == Phase::edge ? &step : nullptr;
 }
 
 /// In the world: the edges of X and Y that make the newest edge, or that can make the next.
@@ -45,17 +46,44 @@ void summands(SceneBuilder& scene, const Shown& shown) {
     for (const Point& point : points) middle += point / static_cast<double>(points.size());
     scene.area(role, points);
     scene.outline(points);
-    const Point& corner = points[sign > 0.0 ? 0 : ring.size() - 1];
     scene.out.moving_labels.push_back(scene.label("summand:" + name, name, role + ".label",
-                                                  type::kVertex, corner, kVertexRadius,
-                                                  corner - middle));
+                                                  type::kVertex, points[0], kVertexRadius,
+                                                  points[0] - middle));
   };
   outline(shown.merge.y, 1.0, "shape.y", shown.lesson.y().name);
   outline(shown.merge.x, -1.0, "shape.x", "−" + shown.lesson.x().name);
 }
 
+/// The lowest vertices of Y and of -X.
+std::array<Vector2d, 2> lowest_vertices(const Shown& shown) {
+  const Corner& lowest = shown.merge.steps.front().after.at;
+  return {point_of(shown.merge.y, lowest.y), Vector2d(-point_of(shown.merge.x, lowest.x))};
+}
+
+/// The lowest vertex of Y, and from there as far as that of -X is from O.
+void sum_of_lowest(SceneBuilder& scene, const Shown& shown) {
+  summands(scene, shown);
+  const auto [of_y, of_x] = lowest_vertices(shown);
+  const Point o = scene.at(Vector2d::Zero());
+  scene.arrow("ghost.arrow", o, scene.at(of_y));
+  scene.arrow("ghost.arrow", o, scene.at(of_x));
+  scene.arrow("ghost.arrow", scene.at(of_y), scene.at(Vector2d(of_y + of_x)));
+}
+
 void in_difference(SceneBuilder& scene, const Shown& shown) {
-  if (shown.step == nullptr) return summands(scene, shown);
+  if (shown.step == nullptr) {
+    summands(scene, shown);
+    const bool asks = scene.frame.question >= 0;
+    for (int i = 0; asks && i < static_cast<int>(lowest_places(shown).size()); ++i) {
+      const Point place = scene.at(lowest_places(shown)[static_cast<std::size_t>(i)]);
+      const std::string name = std::to_string(i + 1);
+      scene.disk("cloud.current", place, kTouchedRadius);
+      scene.out.moving_labels.push_back(
+          scene.label("place:" + name, name, "cloud.label", type::kVertex, place, kTouchedRadius));
+    }
+    return;
+  }
+  if (shown.is(Phase::lowest)) sum_of_lowest(scene, shown);
   const minkowski_sum::Merge& merge = shown.merge;
   const auto corner_at = [&](const Corner& corner) { return scene.at(merge.at(corner)); };
   if (shown.is_closed()) {
@@ -126,6 +154,11 @@ Vector2d way_of(const Shown& shown, const Corner& from, Source source) {
   if (source != Source::x) way += point_of(y, y.next(from.y)) - point_of(y, from.y);
   if (source != Source::y) way -= point_of(x, x.next(from.x)) - point_of(x, from.x);
   return way;
+}
+
+std::array<Vector2d, 4> lowest_places(const Shown& shown) {
+  const auto [of_y, of_x] = lowest_vertices(shown);
+  return {of_y, Vector2d(of_y + of_x), Vector2d(of_x - of_y), of_x};
 }
 
 void stage(SceneBuilder& scene) {

@@ -1,6 +1,8 @@
 #pragma once
 // The merge of edges in pictures: what a frame shows of it, and what its act draws and says.
 
+#include <array>
+
 #include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "run/algorithm_facts.hpp"
@@ -9,6 +11,8 @@
 namespace gjkscope::sums {
 
 inline constexpr AskInfo kAskEdge{"next-edge", "which edge of the difference comes next"};
+
+inline constexpr AskInfo kAskLowest{"lowest", "where the lowest corner of the sum lies"};
 
 /// The part of the merge that a frame shows.
 struct Shown {
@@ -47,6 +51,10 @@ struct Shown {
     return edge_name(lesson, merge, from, source);
   }
 };
+
+/// Places to choose from for the lowest corner: of Y, of −X, their sum, and −X's less Y's.
+inline constexpr int kRightPlace = 1;
+[[nodiscard]] std::array<Eigen::Vector2d, 4> lowest_places(const Shown& shown);
 
 // blocks.cpp
 extern const Block kMerge;

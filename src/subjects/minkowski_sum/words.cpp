@@ -85,8 +85,9 @@ void words(const Story& story, FrameText& text) {
   } else if (shown.step->phase == Phase::lowest) {
     text.caption = fmt::format("{} is the lowest corner.", shown.corner(shown.step->after.at));
     text.detail =
-        "It is the lowest vertex of Y plus the lowest vertex of −X. Both walks go "
-        "counter-clockwise from here.";
+        "It is the lowest vertex of Y plus the lowest vertex of −X: one arrow after the other. "
+        "Both "
+        "walks go counter-clockwise from here.";
   } else if (shown.step->phase == Phase::edge) {
     edge(shown, text);
   } else {
@@ -94,8 +95,29 @@ void words(const Story& story, FrameText& text) {
   }
 }
 
+namespace {
+
+void lowest_question(const Shown& shown, FrameText& text) {
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskLowest.name), {}, {}});
+  for (const Eigen::Vector2d& place : lowest_places(shown)) {
+    asked.choices.push_back(fmt::format("place {}", asked.choices.size() + 1));
+    asked.spots.emplace_back(Spot(ViewKind::difference, place, place));
+  }
+  asked.answer = asked.choices[kRightPlace];
+  text.caption = fmt::format(
+      "Question: the sum of {} and −{} holds each point of one plus each of the other. Where is "
+      "its lowest corner? Point at it.",
+      shown.lesson.y().name, shown.lesson.x().name);
+  asked.refuted = fmt::format(
+      "Places 1 and 4 are the lowest vertices of {0} and −{1} alone; place 3 is their difference.",
+      shown.lesson.y().name, shown.lesson.x().name);
+}
+
+}  // namespace
+
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
+  if (story.run.asked(story.frame).ask == kAskLowest.name) return lowest_question(shown, text);
   const minkowski_sum::Step& step = shown.merge.steps[story.frame.answering_step];
   FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskEdge.name), {}, {}});
   const minkowski_sum::Corner& at = step.before.at;

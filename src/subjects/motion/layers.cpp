@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "outlines/polygon.hpp"
+#include "run/questions.hpp"
 #include "subjects/motion/motion.hpp"
 #include "subjects/motion/subject.hpp"
 
@@ -31,11 +32,45 @@ void ghost(SceneBuilder& scene, const std::vector<Vector2d>& polygon, const Vect
   scene.arrow("ghost.arrow", scene.at(middle), scene.at(middle + by));
 }
 
+/// X moved by s and Y by t meet exactly when Z, as it was before, holds this point.
+void difference_of_moves(SceneBuilder& scene, const LastPosition::Positions& moved) {
+  const Vector2d difference = moved.x_by - moved.y_by;
+  if (moved.turned || difference.norm() == 0.0) return;
+  const Point o = scene.at(Vector2d::Zero());
+  const Point at = scene.at(difference);
+  scene.line("projection.line", o, at);
+  scene.disk("cloud.current", at, sizes::kTouchedRadius);
+  scene.out.moving_labels.push_back(scene.label("moves", "s − t", "cloud.label", type::kVertex, at,
+                                                sizes::kTouchedRadius, at - o));
+}
+
+/// Arrows of the move that a question is about.
+void coming_move(SceneBuilder& scene, bool marks_difference) {
+  const LastPosition::Value& next = scene.effects.get<LastPosition>({.run = scene.frame.run + 1});
+  if (scene.shows_difference) {
+    if (marks_difference) difference_of_moves(scene, *next);
+    return;
+  }
+  const auto arrow = [&](const std::vector<Vector2d>& polygon, const Vector2d& by) {
+    const Vector2d middle = centroid(polygon);
+    if (by.norm() > 0.0)
+      scene.arrow("ghost.arrow", scene.at(middle), scene.at(Vector2d(middle + by)));
+  };
+  arrow(next->x, next->x_by);
+  arrow(next->y, next->y_by);
+}
+
 void last_position(SceneBuilder& scene) {
+  if (scene.frame.question >= 0) {
+    const std::string& ask = scene.run.asked(scene.frame).ask;
+    const bool marks_difference = ask == asks::kHolds.name;
+    if (marks_difference || ask == asks::kSlide.name) return coming_move(scene, marks_difference);
+  }
   const LastPosition::Value& last = scene.effects.get<LastPosition>(scene.frame);
   if (!last) return;
   if (scene.shows_difference) {
     ghost(scene, last->z, last->y_by - last->x_by, !last->turned);
+    difference_of_moves(scene, *last);
   } else {
     ghost(scene, last->x, last->x_by, true);
     ghost(scene, last->y, last->y_by, !last->turned);

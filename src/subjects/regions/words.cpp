@@ -100,8 +100,9 @@ void maps(const Story& story, FrameText& text) {
                 : fmt::format("At {}, {}. The signs name {}, but {} is closest.", story.q,
                               negatives(story), feature(story, face), region);
       text.detail =
-          "The maps disagree in the marked parts. The signs alone do not find the region; further "
-          "tests do.";
+          "The maps disagree in the marked parts. The signs in the triangle do not find the "
+          "region; "
+          "with the signs on each edge they do.";
       return;
     }
   }

@@ -274,7 +274,7 @@ void direction_rules(PanelBuilder& panel) {
     panel.write("body.muted", panel.left + 12.0,
                 !known                        ? ""
                 : found->dot_with_edge == 0.0 ? "exactly perpendicular"
-                                              : "not perpendicular: P is rounded",
+                                              : "no: u and v of P are rounded quotients",
                 type::kBody);
     panel.y += kRow + 6.0;
   }

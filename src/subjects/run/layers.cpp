@@ -8,6 +8,7 @@
 #include "subjects/round_shapes/subject.hpp"
 #include "subjects/run/history.hpp"
 #include "subjects/run/other_normal.hpp"
+#include "subjects/run/refuting.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/second_run/second_run.hpp"
 #include "subjects/second_run/subject.hpp"
@@ -300,6 +301,47 @@ const Layer kOtherNormal{.effect = OtherNormal::kName,
                          .on = Layer::On::every_view,
                          .order = Layer::kOfAct + 10,
                          .draw = other_normal};
+
+namespace {
+
+/// The way from Q along the edge that it lies farthest beyond, where its turn is asked for.
+void turn(SceneBuilder& scene) {
+  const bool is_asked = scene.frame.question >= 0
+                            ? scene.run.asked(scene.frame).ask == asks::kTurn.name
+                            : tells_answer(scene.run, scene.frame, asks::kTurn.name);
+  if (!is_asked) return;
+  const gjk::Barycentric<double, 2> weights =
+      gjk::barycentric(in_plane(scene.positioned.trace.initial.simplex), gjk::Face{7});
+  const auto least = std::min_element(weights.numerator.begin(), weights.numerator.end());
+  const auto beyond = static_cast<int>(least - weights.numerator.begin());
+  const Point a = scene.vertex_at((beyond + 1) % 3);
+  scene.arrow("ghost.arrow", scene.at_difference(Vector2d::Zero()), a);
+  scene.arrow("ghost.arrow", a, scene.vertex_at((beyond + 2) % 3));
+}
+
+}  // namespace
+
+const Layer kTurn{.effect = {}, .on = Layer::On::world, .order = Layer::kOfAct + 11, .draw = turn};
+
+namespace {
+
+/// At each vertex how many iterations a run that starts there takes, where that was asked for.
+void starts(SceneBuilder& scene) {
+  if (scene.frame.question >= 0 || !tells_answer(scene.run, scene.frame, asks::kStart.name)) return;
+  const std::vector<Vector3d>& vertices = scene.positioned.y().world;
+  const Point middle = scene.at(middle_of(vertices));
+  for (const RunFromVertex& each : runs_from_each_vertex(scene.run, scene.positioned)) {
+    const Point at = scene.at(vertices[static_cast<std::size_t>(each.vertex)]);
+    scene.out.moving_labels.push_back(scene.label(
+        fmt::format("starts:{}", each.vertex), fmt::format("{} iterations", each.iterations),
+        "weight.label", type::kSmallVertex, at, kSupportRadius, middle - at));
+  }
+}
+
+}  // namespace
+
+const Layer kStarts{
+    .effect = {}, .on = Layer::On::world, .order = Layer::kOfAct + 12, .draw = starts};
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "subjects/second_run/table.hpp"
 #include "subjects/space/region.hpp"
 #include "subjects/weights/barycentric.hpp"
+#include "subjects/weights/projection.hpp"
 
 namespace gjkscope::acts {
 namespace {
@@ -49,7 +50,10 @@ int path_answer(const LessonRun& run, const Frame&, const Frame& frame,
                      : in_space ? question.ask == asks::kSign.name && has_volume() &&
                                       run.lesson.calls_for(FacesBefore::kName)
                                 : run.lesson.calls_for(BarycentricParts::kName);
-  if (!shows || count < 2 || (question.ask == asks::kFoot.name && count != 2)) return -1;
+  const bool is_of_line = question.ask == asks::kFoot.name || question.ask == asks::kReach.name;
+  const bool is_of_area = question.ask == asks::kTurn.name || question.ask == asks::kSolution.name;
+  if (!shows || count < 2 || (is_of_line && count != 2) || (is_of_area && count != 3)) return -1;
+  if (question.ask == asks::kReach.name && !run.lesson.calls_for(UnitVector::kName)) return -1;
   return frame.step;
 }
 
@@ -58,7 +62,7 @@ Frame path_asking(const LessonRun&, const Frame& frame) { return {.run = frame.r
 
 constexpr AskInfo kRegionAtPosition{asks::kRegion.name, asks::kRegion.meaning, "at position"};
 constexpr std::array kPathAsks = {kRegionAtPosition, asks::kClosest, asks::kSign, asks::kFoot,
-                                  asks::kWhatIf};
+                                  asks::kWhatIf,     asks::kReach,   asks::kTurn, asks::kSolution};
 
 }  // namespace
 

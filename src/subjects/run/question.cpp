@@ -11,8 +11,10 @@
 #include "outlines/polyhedron.hpp"
 #include "picture/story.hpp"
 #include "run/questions.hpp"
+#include "subjects/run/direction_rules.hpp"
 #include "subjects/run/refuting.hpp"
 #include "subjects/run/subject.hpp"
+#include "subjects/weights/projection.hpp"
 
 namespace gjkscope::captions {
 namespace {
@@ -284,7 +286,185 @@ class Asking {
         "Question: which way does d lead, along which GJK looks for a vertex? Drag it from P.";
   }
 
+  /// Each way as its lesson computes it: a right angle has the dot product 0.
+  void right_angle() {
+    const DirectionRules::Value& rules = story_.effects.get<DirectionRules>(
+        {.run = story_.frame.run, .step = story_.frame.answering_step});
+    const std::string edge = words_.vertex(1) + " − " + words_.vertex(0);
+    int exact = 0;
+    for (const DirectionRules::Built& built : rules) {
+      const bool towards = built.rule == gjk::DirectionRule::towards_origin;
+      asked_.choices.push_back(towards ? story_.q + " − P" : fmt::format("cross({}, z)", edge));
+      if (built.dot_with_edge != 0.0) continue;
+      asked_.answer = asked_.choices.back();
+      ++exact;
+    }
+    asked_.choices.insert(asked_.choices.end(), {"both", "neither"});
+    if (exact != 1) asked_.answer = exact == 0 ? "neither" : "both";
+    text_.caption = fmt::format(
+        "Question: d shall make a right angle with {}. Which of these does so exactly, as a "
+        "program computes it?",
+        words_.face(before_.simplex.all()));
+    asked_.refuted = fmt::format(
+        "u and v in P = u{} + v{} are quotients, which round; cross({}, z) needs no division.",
+        words_.vertex(0), words_.vertex(1), edge);
+  }
+
+  void normals() {
+    const std::string edge = words_.face(before_.simplex.all());
+    asked_.choices = {"one to the closest P, one farther away", "both to the same P",
+                      "nowhere: d = 0"};
+    asked_.answer = asked_.choices[1];
+    text_.caption = fmt::format(
+        "Question: {} lies on {}, whose normals point to both sides. Where do they lead GJK?",
+        story_.q, edge);
+    asked_.refuted = fmt::format(
+        "P = {} has distance 0: whatever a normal finds, no P is closer, and none that is farther "
+        "is taken.",
+        story_.q);
+  }
+
+  void may_be() {
+    const std::vector<std::string>& names = run_.lesson.y().vertex_names;
+    const std::string four = names[0] + names[1] + names[2] + names[3];
+    asked_.choices = {
+        four, fmt::format("{}{}{}", names[1], names[2], story_.q), names[0] + names[2] + names[3],
+        fmt::format("{}{} and the middle of {}{}", names[0], names[1], names[2], names[3])};
+    asked_.answer = asked_.choices[2];
+    text_.caption = fmt::format(
+        "Question: S will change. Which of these could it be: a simplex inscribed in {}?",
+        story_.set_name());
+    asked_.refuted = fmt::format(
+        "{} has four vertices, which no simplex of the plane has; {} and the middle of an edge are "
+        "no vertices of {}.",
+        four, story_.q, story_.set_name());
+  }
+
+  void index() {
+    const WideSimplex& simplex = step_.after.simplex;
+    const int joins = simplex.vertices[static_cast<std::size_t>(simplex.count) - 1].pair.y;
+    const std::vector<std::string>& names = run_.lesson.y().vertex_names;
+    for (int i = 0; i < static_cast<int>(names.size()); ++i)
+      asked_.choices.push_back(std::to_string(i));
+    asked_.answer = asked_.choices[static_cast<std::size_t>(joins)];
+    text_.caption = fmt::format(
+        "Question: {} joins S as a new SimplexVertex. Which index does it keep, so that it can be "
+        "found in {} again?",
+        names[static_cast<std::size_t>(joins)], story_.set_name());
+    asked_.refuted = "Indices count the polygon's vertices in their order:";
+    for (int i = 0; i <= joins; ++i)
+      asked_.refuted +=
+          fmt::format("{} {} {}", i == 0 ? "" : ",", names[static_cast<std::size_t>(i)], i);
+    asked_.refuted += ".";
+  }
+
+  void start() {
+    const PositionedRun& positioned = run_.run(story_.frame);
+    const WideResult& here = positioned.trace.result;
+    std::vector<std::string> counts;
+    bool all_same = true;
+    for (const auto& [vertex, iterations, p] : runs_from_each_vertex(run_, positioned)) {
+      constexpr double kSame = 1e-9;  // of the distance: far less than frames show
+      all_same =
+          all_same && gjk::length(Eigen::Vector3d(p - (here.y - here.x))) <= kSame * here.distance;
+      counts.push_back(fmt::format("{} from {}", iterations, run_.pair_name({0, vertex})));
+    }
+    asked_.choices = {"at a P nearer to the vertex it starts at", "at the same P",
+                      "at another P, or never"};
+    asked_.answer = asked_.choices[all_same ? 1 : 2];
+    text_.caption = fmt::format(
+        "Question: this run started at {}. Where does it end if it starts at another vertex?",
+        SimplexWords(run_, story_.trace.initial.simplex).face(story_.trace.initial.simplex.all()));
+    asked_.refuted =
+        fmt::format("The way differs, the end does not: iterations are {}.", and_list(counts));
+  }
+
+  void reach() {
+    const std::string a = words_.vertex(0);
+    const std::string b = words_.vertex(1);
+    const UnitVector::Value& built = story_.effects.get<UnitVector>(
+        {.run = story_.frame.run, .step = story_.frame.answering_step});
+    const Eigen::Vector2d way = at_vertex(1) - q();
+    const double along = built->of_q.to_b;
+    asked_.choices = {fmt::format("|{} − {}|, its whole length", b, story_.q),
+                      fmt::format("as far as {} − G, with G the foot of {}", b, story_.q),
+                      fmt::format("|{} − G|, as far as the line {}{} is", story_.q, a, b)};
+    asked_.answer = asked_.choices[1];
+    text_.caption = fmt::format(
+        "Question: the arrow from {0} to {1} reaches dot({1} − {0}, n) along n. How far is that?",
+        story_.q, b);
+    asked_.refuted = fmt::format("|{0} − {1}| is {2}, and |{1} − G| is {3}.", b, story_.q,
+                                 story_.numbers(gjk::length(way)),
+                                 story_.numbers(std::sqrt(gjk::dot(way, way) - along * along)));
+  }
+
+  void turn() {
+    const gjk::Barycentric<double, 2> weights =
+        gjk::barycentric(in_plane(before_.simplex), before_.simplex.all());
+    const int beyond = least_weight(weights);
+    const std::string a = words_.vertex((beyond + 1) % 3);
+    const std::string b = words_.vertex((beyond + 2) % 3);
+    const auto cross = [](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+      return from.x() * to.y() - from.y() * to.x();
+    };
+    const double of_q = cross(at_vertex((beyond + 1) % 3) - q(), at_vertex((beyond + 2) % 3) - q());
+    const double of_all = cross(at_vertex(1) - at_vertex(0), at_vertex(2) - at_vertex(0));
+    asked_.choices = {"left: it is positive", "right: it is negative"};
+    asked_.answer = asked_.choices[of_q < 0.0 ? 1 : 0];
+    text_.caption = fmt::format(
+        "Question: go from {0} to {1}, then to {2}. Do you turn left or right at {1}, and so which "
+        "sign has cross({1} − {0}, {2} − {0})?",
+        story_.q, a, b);
+    asked_.refuted = fmt::format("The cross product is {}; from {} over {} to {} one turns {}.",
+                                 story_.numbers(of_q), words_.vertex(0), words_.vertex(1),
+                                 words_.vertex(2), of_all < 0.0 ? "right" : "left");
+  }
+
+  /// The weights, and twice two of them exchanged: the sum is 1 each time.
+  void solution() {
+    const gjk::Barycentric<double, 2> weights =
+        gjk::barycentric(in_plane(before_.simplex), before_.simplex.all());
+    Eigen::Vector3d right;
+    for (int i = 0; i < 3; ++i) right[i] = weights.numerator[i] / weights.denominator;
+    const std::array<Eigen::Vector3d, 3> choices = {
+        Eigen::Vector3d(right[1], right[0], right[2]), right, {right[2], right[1], right[0]}};
+    std::array<std::string, 3> rows;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d& each = choices[k];
+      asked_.choices.push_back(fmt::format("{}, {}, {}", story_.numbers.weight(each[0]),
+                                           story_.numbers.weight(each[1]),
+                                           story_.numbers.weight(each[2])));
+      double sum = 0.0;
+      for (int i = 0; i < 3; ++i) sum += each[i] * at_vertex(i).x();
+      rows[k] = fixed(sum, 2);
+    }
+    asked_.answer = asked_.choices[1];
+    std::string terms;
+    std::string given;
+    for (int i = 0; i < 3; ++i) {
+      const std::string x = fixed(at_vertex(i).x(), 2);
+      terms += fmt::format("{}{}·{}",
+                           i == 0           ? right[i] < 0.0 ? "−" : ""
+                           : right[i] < 0.0 ? " − "
+                                            : " + ",
+                           story_.numbers.weight(std::abs(right[i])),
+                           at_vertex(i).x() < 0.0 ? "(" + x + ")" : x);
+      given += fmt::format("{} {}, ", words_.vertex(i), x);
+    }
+    text_.caption =
+        fmt::format("Question: which u, v, w solve u{0} + v{1} + w{2} = {3} and u + v + w = 1?",
+                    words_.vertex(0), words_.vertex(1), words_.vertex(2), story_.q);
+    text_.detail = fmt::format("In x: {}{} {}. {}", given, story_.q, fixed(q().x(), 2),
+                               listed_choices(asked_.choices));
+    asked_.refuted =
+        fmt::format("In x: {} = {}. The others give {} and {}.", terms, rows[1], rows[0], rows[2]);
+  }
+
  private:
+  [[nodiscard]] static int least_weight(const gjk::Barycentric<double, 2>& weights) {
+    return static_cast<int>(std::min_element(weights.numerator.begin(), weights.numerator.end()) -
+                            weights.numerator.begin());
+  }
   [[nodiscard]] std::string true_reason(gjk::StopReason stop) const {
     using Stop = gjk::StopReason;
     return stop == Stop::origin_inside    ? fmt::format("{} lies inside S", story_.q)
@@ -354,6 +534,14 @@ void question(const Story& story, FrameText& text) {
   if (ask == asks::kFoot.name) asking.foot();
   if (ask == asks::kWhatIf.name) asking.what_if();
   if (ask == asks::kDirection.name) asking.direction();
+  if (ask == asks::kRightAngle.name) asking.right_angle();
+  if (ask == asks::kNormals.name) asking.normals();
+  if (ask == asks::kMayBe.name) asking.may_be();
+  if (ask == asks::kIndex.name) asking.index();
+  if (ask == asks::kStart.name) asking.start();
+  if (ask == asks::kReach.name) asking.reach();
+  if (ask == asks::kTurn.name) asking.turn();
+  if (ask == asks::kSolution.name) asking.solution();
 }
 
 void closest_question(const Story& story, FrameText& text) {
@@ -403,13 +591,18 @@ void closest_of_difference_question(const Story& story, FrameText& text) {
       minkowski_hull(in_plane(story.positioned.x().world), in_plane(story.positioned.y().world));
   const Eigen::Vector2d p = in_plane(story.trace.result.y) - in_plane(story.trace.result.x);
   const bool at_corner = story.trace.result.simplex.count == 1;
-  FrameQuestion& asked =
-      text.question.emplace(FrameQuestion{std::string(asks::kClosestZ.name), {}, {}});
+  // The obstacle that X has grown stands in the world: Z, moved to where X stands.
+  const std::string& ask = story.run.asked(story.frame).ask;
+  const bool is_grown = ask == asks::kMeets.name;
+  const Eigen::Vector2d shift = is_grown ? in_plane(story.positioned.x().placement.translate)
+                                         : Eigen::Vector2d(Eigen::Vector2d::Zero());
+  FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
   double least = std::numeric_limits<double>::infinity();
   const auto add = [&](const CloudPoint& from, const CloudPoint& to, bool is_corner) {
     const std::string name = story.run.pair_name(from.pair);
     asked.choices.push_back(is_corner ? name : name + " to " + story.run.pair_name(to.pair));
-    asked.spots.push_back(Spot{ViewKind::difference, from.z, to.z});
+    asked.spots.push_back(Spot{is_grown ? ViewKind::world : ViewKind::difference,
+                               Eigen::Vector2d(from.z + shift), Eigen::Vector2d(to.z + shift)});
     const Eigen::Vector2d way = to.z - from.z;
     const double along =
         is_corner ? 0.0 : std::clamp((p - from.z).dot(way) / way.dot(way), 0.0, 1.0);
@@ -421,8 +614,17 @@ void closest_of_difference_question(const Story& story, FrameText& text) {
   for (const CloudPoint& corner : corners) add(corner, corner, true);
   for (std::size_t i = 0; i < corners.size(); ++i)
     add(corners[i], corners[(i + 1) % corners.size()], false);
-  asked.place = p;
-  text.caption = "Question: which point of Z is closest to O? Point at it.";
+  asked.choices.emplace_back("a point inside");
+  asked.spots.emplace_back();
+  asked.refuted = fmt::format("From a point inside one could go on towards {}, and come closer.",
+                              is_grown ? "p" : "O");
+  asked.place = p + shift;
+  text.caption = is_grown
+                     ? fmt::format(
+                           "Question: p moves with the {0}. What is the nearest place for p at "
+                           "which the {0} touches the {1}? Point at it.",
+                           story.run.lesson.x().name, story.run.lesson.y().name)
+                     : "Question: which point of Z is closest to O? Point at it.";
 }
 
 void overlap_question(const Story& story, FrameText& text) {
@@ -440,13 +642,30 @@ void overlap_question(const Story& story, FrameText& text) {
 
 namespace gjkscope {
 
-bool refutes(const LessonRun& run, const Frame& frame) {
+std::vector<RunFromVertex> runs_from_each_vertex(const LessonRun& run,
+                                                 const PositionedRun& positioned) {
+  std::vector<RunFromVertex> out;
+  for (int i = 0; i < static_cast<int>(positioned.y().world.size()); ++i) {
+    gjk::Options options = run.lesson.options;
+    options.start = {{{{0, i}}}, 1};
+    const WideResult result = run_again(positioned, options, run.lesson.scalar).trace.result;
+    out.push_back({i, result.iterations, result.y - result.x});
+  }
+  return out;
+}
+
+bool tells_answer(const LessonRun& run, const Frame& frame, std::string_view ask) {
   return std::any_of(run.frames.begin(), run.frames.end(), [&](const Frame& other) {
-    if (other.question < 0 || other.run != frame.run || other.answering_step != frame.step)
-      return false;
-    const std::string& ask = run.asked(other).ask;
-    return ask == asks::kWhy.name || ask == asks::kWhatIf.name;
+    return other.question >= 0 && other.run == frame.run && other.answering_step == frame.step &&
+           run.asked(other).ask == ask;
   });
+}
+
+bool refutes(const LessonRun& run, const Frame& frame) {
+  constexpr std::array kRefuting = {asks::kWhy, asks::kWhatIf, asks::kStart, asks::kTurn,
+                                    asks::kSolution};
+  return std::any_of(kRefuting.begin(), kRefuting.end(),
+                     [&](const AskInfo& ask) { return tells_answer(run, frame, ask.name); });
 }
 
 }  // namespace gjkscope

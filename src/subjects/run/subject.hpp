@@ -71,6 +71,8 @@ namespace layers {
 extern const Layer kOtherNormal;
 extern const Layer kShapes;
 extern const Layer kQueryPoint;
+extern const Layer kTurn;
+extern const Layer kStarts;
 
 /// The name of a vertex, of X, Y or the difference, that the frame leaves without one; a disk where
 /// it has none, too.

@@ -6,12 +6,13 @@
 namespace gjkscope::slabs {
 namespace {
 
-constexpr std::array kAsks = {kAskVertex};
+constexpr std::array kAsks = {kAskVertex, kAskAngle};
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
   const Shown shown(run, frame);
-  if (question.ask != kAskVertex.name || !shown.is(slab_proof::Phase::slab)) return -1;
+  const bool is_angle = question.ask == kAskAngle.name;
+  if (!shown.is(is_angle ? slab_proof::Phase::closer : slab_proof::Phase::slab)) return -1;
   if (question.at && *question.at != run.info(frame).iteration) return -1;
   return frame.step;
 }

@@ -30,6 +30,10 @@ void reaches(PanelBuilder& panel) {
   if (shown.trace.refusal)
     return panel.row("refused", words_of(*shown.trace.refusal, shown.lesson));
   if (!shown.has_points()) return panel.row("the shapes overlap", "");
+  if (shown.is(Phase::closer)) {
+    panel.row("width, |xy| before", panel.numbers(shown.step->before.distance()));
+    return panel.row("|xy| now", panel.numbers(shown.step->after.distance()));
+  }
   panel.row("width |xy|", panel.numbers(shown.state().distance()));
   if (shown.is(Phase::slab) || shown.is_answer) {
     for (const Reach& reach : shown.step->reaches)

@@ -10,6 +10,8 @@ namespace gjkscope::slabs {
 
 inline constexpr AskInfo kAskVertex{"slab-vertex", "which vertex lies deepest in the slab"};
 
+inline constexpr AskInfo kAskAngle{"slab-angle", "how large an angle the way into the slab makes"};
+
 /// The part of the descent that a frame shows.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame)
@@ -41,6 +43,8 @@ extern const Listing kListing;
 
 // layers.cpp
 void stage(SceneBuilder& scene);
+/// The angle between two directions.
+[[nodiscard]] double degrees_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 /// The slab between two points, and its sides.
 void strip(SceneBuilder& scene, const Eigen::Vector2d& x, const Eigen::Vector2d& y);
 

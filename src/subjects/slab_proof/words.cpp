@@ -45,9 +45,24 @@ void closer(const Story& story, const Shown& shown, FrameText& text) {
       is_vertex ? "to " + shown.name(c) : "along the segment to " + shown.name(c),
       story.numbers(shown.step->before.distance()), story.numbers(shown.step->after.distance()));
   text.detail = fmt::format(
-      "The segment lies in {0}, which is convex. Its end lies in the slab, so at {1} it makes less "
+      "The segment lies in {0}, which is convex. Its end c lies in the slab, so at {1} it makes "
+      "less "
       "than 90° with the way to {2} and comes closer. Its point closest to {2} is the new {1}.",
       (c.of_x ? shown.lesson.x() : shown.lesson.y()).name, moving, other);
+}
+
+void angle_question(const Shown& shown, const slab_proof::Step& step, FrameText& text) {
+  const Reach& c = step.towards;
+  const std::string_view moving = c.of_x ? "x" : "y";
+  const std::string_view other = c.of_x ? "y" : "x";
+  FrameQuestion& asked = *text.question;
+  asked.choices = {"less than 90°", "90°", "more than 90°"};
+  asked.answer = asked.choices[0];
+  asked.refuted = "At 90° c lies on a side.";
+  text.caption = fmt::format(
+      "Question: {} lies in the slab. How large is the angle at {} between the ways to it and to "
+      "{}?",
+      shown.name(c), moving, other);
 }
 
 }  // namespace
@@ -85,7 +100,9 @@ void words(const Story& story, FrameText& text) {
 void question(const Story& story, FrameText& text) {
   const Shown& shown = shown_in<Shown>(story);
   const slab_proof::Step& step = shown.trace.descent.steps[story.frame.answering_step];
-  FrameQuestion& asked = text.question.emplace(FrameQuestion{std::string(kAskVertex.name), {}, {}});
+  FrameQuestion& asked =
+      text.question.emplace(FrameQuestion{story.run.asked(story.frame).ask, {}, {}});
+  if (asked.ask == kAskAngle.name) return angle_question(shown, step, text);
   for (const Reach& reach : step.farthest) asked.choices.push_back(shown.name(reach));
   asked.choices.emplace_back("none: the slab is empty");
   asked.answer = step.reaches.empty() ? asked.choices.back() : shown.name(step.reaches.front());

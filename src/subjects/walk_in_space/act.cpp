@@ -13,16 +13,26 @@ void frames(LessonRun& run, int index) {
   const int steps = run.algorithm_traces[index]->steps();
   if (!run.lesson.path_of_shapes) return add_algorithm_frames(run, index);
   run.frames.push_back({.run = index, .step = steps > 0 ? steps : -1});
-  if (steps > 0 && index + 1 == static_cast<int>(run.runs.size()))
-    run.frames.push_back({.run = index, .step = steps, .part = 0});
+  if (steps == 0 || index + 1 != static_cast<int>(run.runs.size())) return;
+  for (const WalkGrowing part : {WalkGrowing::beside_gjk, WalkGrowing::coherent, WalkGrowing::cold})
+    run.frames.push_back({.run = index, .step = steps, .part = static_cast<int>(part)});
 }
 
-constexpr std::array kAsks = {kAskNext, kAskPairs};
+constexpr std::array kAsks = {kAskNext, kAskPairs, kAskSmallMoves, kAskFirstPair};
+
+std::optional<WalkGrowing> growth_asked(std::string_view ask) {
+  if (ask == kAskSmallMoves.name) return WalkGrowing::coherent;
+  if (ask == kAskFirstPair.name) return WalkGrowing::cold;
+  return std::nullopt;
+}
 
 int answering_step(const LessonRun& run, const Frame&, const Frame& frame,
                    const LessonQuestion& question) {
+  const std::optional<WalkGrowing> growing = growth_of(run, frame);
+  if (const auto asked = growth_asked(question.ask); asked || growing)
+    return asked == growing ? frame.step : -1;
   const Shown shown(run, frame);
-  if (shown.index < 0 || is_growth(run, frame) || shown.is_answer != shown.is_path) return -1;
+  if (shown.index < 0 || shown.is_answer != shown.is_path) return -1;
   if (shown.trace.overlaps()) return -1;
   if (question.at && *question.at != (shown.is_path ? frame.run + 1 : shown.step().number))
     return -1;
@@ -39,17 +49,30 @@ Frame asking(const LessonRun& run, const Frame& frame) {
   return {.run = frame.run, .step = run.lesson.path_of_shapes ? -1 : frame.step - 1};
 }
 
+std::string_view name_of(WalkGrowing growing) {
+  switch (growing) {
+    case WalkGrowing::beside_gjk:
+      return "beside GJK";
+    case WalkGrowing::coherent:
+      return "with coherence";
+    case WalkGrowing::cold:
+      break;
+  }
+  return "without coherence";
+}
+
 std::string position(const LessonRun& run, int index) {
   const Frame& frame = run.frames[index];
   const Shown shown(run, frame);
-  if (is_growth(run, frame)) return fmt::format("outcome · {} of {}", index + 1, run.frames.size());
+  if (const auto growing = growth_of(run, frame))
+    return fmt::format("{} · {} of {}", name_of(*growing), index + 1, run.frames.size());
   if (shown.is_path) return position_on_path(run, index);
   return position_in_algorithm(run, index);
 }
 
 Tick tick(const LessonRun& run, const Frame& frame) {
   const Shown shown(run, frame);
-  if (is_growth(run, frame)) return {.group = "outcome", .label = "all n", .event = true};
+  if (growth_of(run, frame)) return {.group = "as bodies grow", .label = "all n", .event = true};
   if (shown.is_path) {
     const bool is_event = shown.trace.steps() > 0 && shown.trace.pairs() > 1;
     return {.group = "positions", .label = std::to_string(frame.run + 1), .event = is_event};
@@ -83,8 +106,9 @@ const EffectInfo kSpaceWalkGrowth =
 
 }  // namespace
 
-bool is_growth(const LessonRun& run, const Frame& frame) {
-  return part_of<int>(kAct, run, frame).has_value();
+std::optional<WalkGrowing> growth_of(const LessonRun& run, const Frame& frame) {
+  if (frame.question >= 0) return growth_asked(run.asked(frame).ask);
+  return part_of<WalkGrowing>(kAct, run, frame);
 }
 
 }  // namespace gjkscope::space_walks

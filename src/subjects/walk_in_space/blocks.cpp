@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "subjects/run/subject.hpp"
 #include "subjects/walk_in_space/shown.hpp"
@@ -58,7 +59,23 @@ void on_path(PanelBuilder& panel, const Shown& shown) {
   }
 }
 
+/// What the plot ends with.
+void growth(PanelBuilder& panel, WalkGrowing growing) {
+  if (panel.frame.question >= 0) return;
+  const SpaceWalkGrowth::Sample& last = panel.effects.get<SpaceWalkGrowth>(panel.frame).back();
+  panel.heading(fmt::format("Pairs a position, n = {}", grouped(last.vertices)));
+  panel.row("small moves", fixed(last.small_moves, 1));
+  panel.row("one move for all n", fixed(last.pairs, 1));
+  if (growing != WalkGrowing::cold) return;
+  panel.row("from the first vertices", fixed(last.first_pair, 1));
+  panel.row("√n", fixed(std::sqrt(last.vertices), 0));
+  panel.row("n", grouped(last.vertices));
+  panel.row("n²", grouped(1.0 * last.vertices * last.vertices));
+}
+
 void features(PanelBuilder& panel) {
+  const auto growing = growth_of(panel.run, panel.frame);
+  if (growing && *growing != WalkGrowing::beside_gjk) return growth(panel, *growing);
   const Shown shown(panel.run, panel.frame);
   if (shown.trace.all.empty()) return;
   const SpaceWalk::Step& step = shown.step();

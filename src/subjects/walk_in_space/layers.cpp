@@ -51,8 +51,13 @@ const Layer kBehind{
     }};
 
 bool fill(SceneBuilder& scene, const Fonts& fonts) {
-  if (scene.view.kind != ViewKind::plot && !is_growth(scene.run, scene.frame)) return false;
-  layers::add_plot(scene, space_walk_plot(scene.effects.get<SpaceWalkGrowth>(scene.frame)), fonts);
+  const std::optional<WalkGrowing> growing = growth_of(scene.run, scene.frame);
+  if (scene.view.kind != ViewKind::plot && !growing) return false;
+  layers::add_plot(
+      scene,
+      space_walk_plot(growing.value_or(WalkGrowing::beside_gjk), scene.frame.question >= 0,
+                      scene.effects.get<SpaceWalkGrowth>(scene.frame)),
+      fonts);
   return true;
 }
 

@@ -2,9 +2,13 @@
 // The walk on features in space in pictures: what a frame shows of it, and what its act draws and
 // says.
 
+#include <optional>
+#include <string_view>
+
 #include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "subjects/walk_in_space/growth.hpp"
 #include "subjects/walk_in_space/lesson_trace.hpp"
 
 namespace gjkscope::space_walks {
@@ -15,8 +19,13 @@ inline constexpr AskInfo kAskNext{"feature-in-space",
 inline constexpr AskInfo kAskPairs{"pairs-in-space", "how many pairs the walk looks at",
                                    "at position"};
 
-/// The frame after the answer: counts as bodies grow.
-[[nodiscard]] bool is_growth(const LessonRun& run, const Frame& frame);
+inline constexpr AskInfo kAskSmallMoves{
+    "small-moves", "how pairs grow with the bodies where moves shrink as features do"};
+inline constexpr AskInfo kAskFirstPair{
+    "first-pair", "how pairs grow with the bodies where each walk starts anew"};
+
+/// Frames after the path: counts as bodies grow. A question about them is one of them.
+[[nodiscard]] std::optional<WalkGrowing> growth_of(const LessonRun& run, const Frame& frame);
 
 /// The part of the walk that a frame shows. A frame that asks shows the step that answers, and
 /// nothing of where it leads; along a path nothing but the start.

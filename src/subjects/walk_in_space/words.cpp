@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "lesson/prose.hpp"
@@ -77,17 +78,38 @@ Words words_of_path(const Story& story, const Shown& shown) {
           "GJK needs {warm} from its last simplex, {cold} from one vertex of each."};
 }
 
+Words words_of(WalkGrowing growing) {
+  switch (growing) {
+    case WalkGrowing::beside_gjk:
+      return {
+          "With {few} vertices the walk looks at {few pairs} pairs a position, with {many} at "
+          "{many pairs}. GJK needs {many warm} iterations warm, {many cold} cold.",
+          "Averages over {positions} positions of two balls that pass each other: a move crosses "
+          "more features where they are smaller. A pair costs a few tests, an iteration a scan of "
+          "all vertices."};
+    case WalkGrowing::coherent:
+      return {
+          "Where moves shrink as features do, {many small} pairs are enough at n = {many}: "
+          "Larsen's "
+          "O(1).",
+          "The closest features stay, or their neighbours come next, for any n. The same move at "
+          "each n crosses more and more features: {many pairs} pairs."};
+    case WalkGrowing::cold:
+      break;
+  }
+  return {
+      "From the first vertices a walk looks at {many first} pairs at n = {many}: about as √n, less "
+      "than Larsen's n.",
+      "It crosses a surface of n features, about √n of them in a row. No pair comes twice, so n² "
+      "is "
+      "the most; a start from the last pair needs {many pairs}."};
+}
+
 Words words_of(const Story& story, const Shown& shown) {
   if (shown.trace.all.empty())
     return {"A body is flat: its points lie in one plane.",
             "This walk is shown on bodies that have a volume."};
-  if (is_growth(story.run, story.frame))
-    return {
-        "With {few} vertices the walk looks at {few pairs} pairs a position, with {many} at "
-        "{many pairs}. GJK needs {many warm} iterations warm, {many cold} cold.",
-        "Averages over {positions} positions of two balls that pass each other: a move crosses "
-        "more features where they are smaller. A pair costs a few tests, an iteration a scan of "
-        "all vertices."};
+  if (const auto growing = growth_of(story.run, story.frame)) return words_of(*growing);
   if (shown.is_path) return words_of_path(story, shown);
   if (shown.index < 0)
     return {"The walk starts at {fx} and {fy}.",
@@ -135,7 +157,7 @@ void words(const Story& story, FrameText& text) {
     values["warm"] = counted(story.trace.result.iterations, "iteration");
     values["cold"] = std::to_string(shown.trace.cold);
   }
-  if (is_growth(story.run, story.frame)) {
+  if (growth_of(story.run, story.frame)) {
     const SpaceWalkGrowth::Value& samples = story.effects.get<SpaceWalkGrowth>(story.frame);
     values["few"] = std::to_string(samples.front().vertices);
     values["few pairs"] = fixed(samples.front().pairs, 1);
@@ -143,6 +165,8 @@ void words(const Story& story, FrameText& text) {
     values["many pairs"] = fixed(samples.back().pairs, 1);
     values["many warm"] = fixed(samples.back().warm, 1);
     values["many cold"] = fixed(samples.back().cold, 1);
+    values["many small"] = fixed(samples.back().small_moves, 1);
+    values["many first"] = fixed(samples.back().first_pair, 1);
     values["positions"] = std::to_string(SpaceWalkGrowth::kPositions);
   }
   const auto& [caption, detail] = words_of(story, shown);
@@ -167,7 +191,30 @@ void offer(const Story& story, const Shown& shown, std::size_t body, int feature
 
 }  // namespace
 
+namespace {
+
+void growth_question(const Story& story, WalkGrowing growing, FrameText& text) {
+  const SpaceWalkGrowth::Value& samples = story.effects.get<SpaceWalkGrowth>(story.frame);
+  const SpaceWalkGrowth::Sample& from = asked_from(samples);
+  const double before = from.*counted_for(growing);
+  const std::array<WayToGrow, 3> ways = ways_of(samples);
+  ask_ways(story.run.asked(story.frame).ask, ways, samples.back().*counted_for(growing) / before,
+           true, text);
+  text.question->refuted =
+      fmt::format("As √n would be {}, as n {}.", fixed(before * ways[1].ratio, 1),
+                  grouped(std::round(before * ways[2].ratio)));
+  text.caption =
+      fmt::format("Question: {}. From n = {} to {}, how do the pairs grow? Point at a place.",
+                  growing == WalkGrowing::cold ? "now each walk starts at the first vertices"
+                                               : "now the moves are as small as the features",
+                  grouped(from.vertices), grouped(samples.back().vertices));
+}
+
+}  // namespace
+
 void question(const Story& story, FrameText& text) {
+  if (const auto growing = growth_of(story.run, story.frame))
+    return growth_question(story, *growing, text);
   const Shown shown(story.run, story.frame);
   const SpaceWalk& trace = shown.trace;
   FrameQuestion& asked = text.question.emplace();

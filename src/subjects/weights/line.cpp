@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include "picture/words.hpp"
 #include "subjects/weights/projection.hpp"
 #include "subjects/weights/subject.hpp"
 
@@ -71,6 +74,19 @@ void unit_vector(SceneBuilder& scene) {
   scene.arrow("unit-vector", from, to);
   scene.out.moving_labels.push_back(
       scene.label("n", "n", "unit-vector.label", type::kVertex, 0.5 * (from + to), 2.0, offset));
+  if (!scene.knows.phase_is(gjk::Phase::closest)) return;
+  // The arrow from Q to B, and how far it reaches along n: as far as G is from B.
+  const Point q = scene.at_difference(Vector2d::Zero());
+  const Point b = scene.vertex_at(1);
+  const Point reach = scene.at_difference(Eigen::Vector3d(built->of_q.to_b * built->n));
+  if ((reach - q).cwiseAbs().maxCoeff() < 1.0 || (reach - b).norm() < kAngleMark) return;
+  scene.line(built->of_q.to_b < 0.0 ? "area.negative.length" : "area.u.length", q, reach);
+  scene.arrow("ghost.arrow", q, b);
+  const std::string name = scene.run.pair_name(scene.state.simplex.vertices[1].pair);
+  scene.out.moving_labels.push_back(
+      scene.label("reach", fmt::format("dot({} − {}, n)", name, query_name(scene.run)),
+                  "area.label", type::kSmallVertex, 0.5 * (q + reach), 3.0, reach - b));
+  scene.line("projection.line", reach, b);
 }
 
 }  // namespace
