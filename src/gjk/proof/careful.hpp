@@ -3,6 +3,7 @@
 // its own digits are too few.
 
 #include <array>
+#include <type_traits>
 
 #include "gjk/proof/prepare.hpp"
 #include "gjk/simplex.hpp"
