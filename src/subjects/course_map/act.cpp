@@ -43,8 +43,9 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
      "Chapter 8: what goes wrong in programs, and how to find the step that is to blame.",
      "A loop with one wrong line runs beside the right loop until they differ."},
     {"In space", "Chapter 9: the same loop for polyhedra.",
-     "To read on: van den Bergen, Collision Detection in Interactive 3D Environments (2004), on "
-     "depth; Ericson, Real-Time Collision Detection (2005), with code; Muratori, Implementing GJK, "
+     "To read on: van den Bergen, Collision Detection in Interactive 3D Environments (2004), a "
+     "program; Ericson, Real-Time Collision Detection (2005), with code; Muratori, Implementing "
+     "GJK, "
      "a "
      "film."},
 }};
