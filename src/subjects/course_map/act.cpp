@@ -45,9 +45,7 @@ constexpr std::array<Chapter, kChapters> kCourse = {{
     {"In space", "Chapter 9: the same loop for polyhedra.",
      "To read on: van den Bergen, Collision Detection in Interactive 3D Environments (2004), a "
      "program; Ericson, Real-Time Collision Detection (2005), with code; Muratori, Implementing "
-     "GJK, "
-     "a "
-     "film."},
+     "GJK, a film."},
 }};
 
 constexpr double kWidth = 3.6;
