@@ -7,8 +7,8 @@
 
 namespace gjkscope {
 
-/// The shortest decimal that reads back to the same bits, distinguished from a whole number by a point or an
-/// exponent: "2.0", "-0.0", "1e-07". `value` must be finite.
+/// The shortest decimal that reads back to the same bits, with a point or an exponent, which a
+/// whole number has not: "2.0", "-0.0", "1e-07". `value` must be finite.
 [[nodiscard]] inline std::string decimal(double value) {
   std::string text = fmt::format("{}", value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";

@@ -275,8 +275,8 @@ std::vector<Shape> shapes_of(const Model& model, const Pieces& pieces) {
   return shapes;
 }
 
-/// Of the part of a ring from corner i to corner j, which its diagonal cuts off: the fewest pieces,
-/// and the corners of that beside the diagonal.
+/// The fewest pieces of the part of a ring from corner i to corner j, which its diagonal cuts off,
+/// and the corners of the piece beside the diagonal.
 struct Part {
   int fewest = kNever;
   Corners beside;

@@ -298,7 +298,8 @@ std::string stop_test(const LessonRun& run, const Frame& frame) {
 }
 
 std::vector<std::string> stop_tests(const LessonRun& run) {
-  return {"V in S", "V not in S, no farther", "P no closer", query_name(run) + " inside S", "d = 0"};
+  return {"V in S", "V not in S, no farther", "P no closer", query_name(run) + " inside S",
+          "d = 0"};
 }
 
 std::string query_name(const LessonRun& run) {

@@ -133,8 +133,8 @@ class Session {
 
   // The history from outside: it outlives the session where one keeps the lessons.
 
-  /// A lesson of the history, distinguished from all others by a number, and the change that separates it
-  /// from the one that is shown, or from its neighbour on that side.
+  /// A lesson of the history, distinguished from all others by a number, and the change that
+  /// separates it from the one that is shown, or from its neighbour on that side.
   struct Kept {
     long id = 0;
     std::string change;

@@ -182,7 +182,7 @@ TEST(SearchFrames, AskAboutHalvesWhatTheirVisitsSay) {
   EXPECT_GE(answers.size(), 5u);
 }
 
-/// What questions besides visits answer, by the search itself.
+/// The answers of questions besides visits, by the search itself.
 TEST(SearchFrames, AskBeforeTheFirstVisitAndAfterTheLast) {
   std::map<std::string, std::string> answers;
   for (const std::string id : {"hierarchy-collide", "hierarchy-distance", "sphere-tree"}) {
@@ -221,7 +221,7 @@ TEST(SearchFrames, CountTheOperationsOfTwoTests) {
   EXPECT_EQ(searches::tests_of(a, {{-2, 0}, {-1, 1}}).meet, 2);
   EXPECT_EQ(searches::tests_of(a, {{0, -2}, {1, -1}}).meet, 4);
   EXPECT_EQ(searches::tests_of(a, {{0.5, 0.5}, {3, 3}}).meet, 4);
-  // Of each axis two differences and two maxima; two squares, a sum, a root.
+  // Each axis takes two differences and two maxima; two squares, a sum, a root.
   EXPECT_EQ(searches::tests_of(a, {{2, 2}, {3, 3}}).distance, 12);
 }
 

@@ -8,7 +8,7 @@ namespace {
 using sums_in_space::Kind;
 using Phase = FacesTrace::Phase;
 
-/// What the plot ends with.
+/// The numbers at the end of the plot.
 void growth(PanelBuilder& panel, Growing growing) {
   if (panel.frame.question >= 0) return;
   if (growing == Growing::general) {

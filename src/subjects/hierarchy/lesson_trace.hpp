@@ -16,7 +16,7 @@ namespace gjkscope {
 using Volume = std::variant<models::Box, models::Circle>;
 using TreeNode = models::Node<Volume>;
 
-/// What a search with tiles of at most this radius comes to.
+/// The result of a search with tiles of at most this radius.
 struct TileSize {
   double radius = 0.0;
   models::SearchResult result;
@@ -28,7 +28,7 @@ struct TracedSearch {
   models::Model y;
   std::vector<TreeNode> tree_x;
   std::vector<TreeNode> tree_y;
-  std::vector<int> segments_x;  ///< Of the items of X's tree, in its order.
+  std::vector<int> segments_x;  ///< Those of the items of X's tree, in its order.
   models::SearchOptions options;
   models::SearchTrace trace;       ///< Without steps where shapes are refused.
   models::SearchTrace left_first;  ///< For a distance: the same search, the left child first.

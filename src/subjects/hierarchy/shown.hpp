@@ -45,7 +45,7 @@ inline constexpr AskInfo kAskWider{"wider", "how many visits a search for a meet
 /// can be cut into pieces, all pairs of segments, a node and its volume, the tiles of a segment,
 /// the halves of all tiles; at the answer sizes of tiles, and volumes, against visits.
 enum class Extra : std::uint8_t { pieces, pairs, node, tiles, split, tile_size, volume };
-/// What each of them answers.
+/// The question that each of them answers.
 inline constexpr std::array<const AskInfo*, 7> kExtraAsks = {
     &kAskPieces, &kAskPairs, &kAskNode, &kAskTiles, &kAskSplit, &kAskTileSize, &kAskVolume};
 /// That of a frame which shows one, or asks for it.
@@ -143,7 +143,7 @@ struct TiledSegment {
 /// The two halves of the tiles below a node, and where lines along both axes would halve them.
 struct SplitOfTiles {
   std::array<std::vector<int>, 2> leaves;
-  Eigen::Vector2d spread;  ///< Of their centres.
+  Eigen::Vector2d spread;  ///< That of their centres.
   Eigen::Vector2d middle;
   [[nodiscard]] int axis() const { return spread.y() > spread.x() ? 1 : 0; }
 };

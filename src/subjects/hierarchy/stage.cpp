@@ -179,7 +179,7 @@ class Stage {
     for (const int child : {tree[0].left, tree[0].right}) volume(true, child, "volume.child");
   }
 
-  /// Of the circles that are visited: their centres and radii.
+  /// The centres and radii of the circles that are visited.
   void centres() {
     const Circle& a = std::get<Circle>(shown_.node(true).volume);
     const Circle& b = std::get<Circle>(shown_.node(false).volume);

@@ -80,7 +80,7 @@ constexpr std::array kAsks = {asks::kClosestX, kAskLook};
 /// A frame at a new position that shows nothing of its answer.
 bool asks_first(const Frame& frame) { return frame.step < 0; }
 
-/// Of the frame before `frame` on the path; none of the first.
+/// The trace before that of `frame` on the path; none at the first.
 const AllPairsTrace* last_of(const LessonRun& run, const Frame& frame) {
   return frame.run == 0 ? nullptr : &all_pairs_trace(run, frame.run - 1);
 }
@@ -197,7 +197,7 @@ void ask_for_closest(const Story& story, FrameText& text, FrameQuestion& asked) 
       story.run.lesson.y().name, story.numbers(move_of_y(story.run, story.frame.run)), x.name);
 }
 
-/// What the last closest feature would answer, by itself and with its
+/// The answer of the last closest feature, by itself and with its
 /// neighbours.
 void ask_where_to_look(const Story& story, FrameText& text, FrameQuestion& asked) {
   const LessonShape& x = story.run.lesson.x();

@@ -13,7 +13,7 @@ namespace gjkscope {
 
 extern const Algorithm kAllPairsAlgorithm;
 
-/// Of one position.
+/// The trace of one position.
 class AllPairsTrace final : public OutlineTrace {
  public:
   AllPairsTrace(std::optional<Refusal> refused, OutlinesOfRun outlines);

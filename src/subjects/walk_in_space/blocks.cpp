@@ -59,7 +59,7 @@ void on_path(PanelBuilder& panel, const Shown& shown) {
   }
 }
 
-/// What the plot ends with.
+/// The numbers at the end of the plot.
 void growth(PanelBuilder& panel, WalkGrowing growing) {
   if (panel.frame.question >= 0) return;
   const SpaceWalkGrowth::Sample& last = panel.effects.get<SpaceWalkGrowth>(panel.frame).back();
