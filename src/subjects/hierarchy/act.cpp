@@ -264,7 +264,9 @@ void add_frames(LessonRun& run, int index) {
   if (trace.steps.empty()) return;
   const auto add_extra = [&](int over, Extra extra) {
     const auto part = static_cast<std::size_t>(extra);
-    if (index == 0 && is_asked(run.lesson, *kExtraAsks[part])) add(over, static_cast<int>(part));
+    const bool fits = extra < Extra::tiles || trees_of(run.lesson).volumes == VolumeKind::tiles;
+    if (index == 0 && fits && is_asked(run.lesson, *kExtraAsks[part]))
+      add(over, static_cast<int>(part));
   };
   for (const Extra extra : {Extra::pieces, Extra::pairs, Extra::node, Extra::tiles, Extra::split})
     add_extra(0, extra);
