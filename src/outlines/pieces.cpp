@@ -286,7 +286,7 @@ struct Part {
 class Fewest {
  public:
   explicit Fewest(Ring ring) : ring_(std::move(ring)), count_(ring_.size()) {
-    parts_.resize(static_cast<std::size_t>(count_ * count_));
+    parts_.resize(static_cast<std::size_t>(count_) * static_cast<std::size_t>(count_));
     for (int length = 1; length < count_; ++length) {
       for (int i = 0; i + length < count_; ++i) part(i, i + length) = best(i, i + length);
     }
