@@ -186,6 +186,12 @@ struct Lesson {
     return std::any_of(views.begin(), views.end(),
                        [&](const LessonView& view) { return view.calls_for(effect); });
   }
+  /// One of the questions is of this name and, where `at` is given, about that place.
+  [[nodiscard]] bool asks(std::string_view ask, std::optional<long> at = {}) const {
+    return std::any_of(questions.begin(), questions.end(), [&](const LessonQuestion& question) {
+      return question.ask == ask && (!at || !question.at || *question.at == *at);
+    });
+  }
   [[nodiscard]] bool has_block(std::string_view block) const {
     return std::find(panel.begin(), panel.end(), block) != panel.end();
   }

@@ -126,14 +126,14 @@ void place_question(const Story& story, FrameText& text) {
     if (pair == right)
       asked.answer = asked.choices.back();
     else
-      others.push_back(fmt::format("{} is {}", asked.choices.back(), story.run.pair_name(pair)));
+      others.push_back(story.run.pair_name(pair));
   }
   text.caption = fmt::format(
       "Question: {} is the arrow from {} to {}, moved so that it starts at O. Where does it end? "
       "Point at it.",
       story.run.pair_name(right), story.run.lesson.x().vertex_names[right.x],
       story.run.lesson.y().vertex_names[right.y]);
-  asked.refuted = capitalized(and_list(others)) + ".";
+  asked.refuted = fmt::format("The other places were {}.", and_list(others));
 }
 
 void pairs_question(const Story& story, FrameText& text) {

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "base/decimal.hpp"
 #include "picture/block.hpp"
@@ -14,10 +13,7 @@ constexpr double kTimeColumn = 84.0;  // width in pixels
 
 /// The times, from where a question about them is answered.
 const GrowthTimes* times_of(const Shown& shown, const Lesson& lesson) {
-  const bool is_asked =
-      std::any_of(lesson.questions.begin(), lesson.questions.end(),
-                  [](const LessonQuestion& question) { return question.ask == kAskMethod.name; });
-  const bool is_known = !is_asked || shown.over > shown.sizes();
+  const bool is_known = !lesson.asks(kAskMethod.name) || shown.over > shown.sizes();
   return shown.trace.times && is_known ? &*shown.trace.times : nullptr;
 }
 

@@ -5,6 +5,7 @@
 #include "subjects/general_growth/shown.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/growth/table.hpp"
+#include "subjects/growth/ways.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::costs {
@@ -84,21 +85,11 @@ Plot times_plot(const Shown& shown) {
 /// The places that a question about a size chooses from; the frame that tells keeps them.
 void add_choices(Plot& plot, const Lesson& lesson, const Shown& shown, bool is_asked) {
   const std::size_t size = shown.size() + (is_asked ? 1 : 0);
-  const bool is_shown = std::any_of(
-      lesson.questions.begin(), lesson.questions.end(), [&](const LessonQuestion& question) {
-        const int number = static_cast<int>(size) + 1;
-        return question.ask == kAskVisits.name && question.at.value_or(number) == number;
-      });
+  const bool is_shown = lesson.asks(kAskVisits.name, static_cast<long>(size) + 1);
   if (!shown.is(GrowthPhase::size) || size == 0 || !(is_asked || is_shown)) return;
   const Sample& before = shown.trace.samples[size - 1];
   const Sample& sample = shown.trace.samples[size];
-  PlotSeries places{PlotStyle::other, "", {}, PlotJoin::none};
-  for (const Growing& way : ways_to_grow(before, sample)) {
-    places.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(places.points.size())});
-    places.points.emplace_back(sample.segments, before.boxes * way.ratio);
-    plot.notes.push_back({PlotStyle::other, places.points.back(), way.name});
-  }
-  plot.series.push_back(std::move(places));
+  add_ways(plot, sample.segments, before.boxes, ways_to_grow(before, sample));
 }
 
 Plot visits_plot(const Shown& shown) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "base/decimal.hpp"
 #include "subjects/general_growth/shown.hpp"
@@ -89,16 +88,16 @@ void times(const Shown& shown, FrameText& text) {
 }
 
 /// "3.3 times, as n"
-std::string words_of(const Growing& way) {
+std::string words_of(const WayToGrow& way) {
   if (way.ratio == 1.0) return way.name;
   return fmt::format("{} times, {}", fixed(way.ratio, way.ratio < 10.0 ? 1 : 0), way.name);
 }
 
 }  // namespace
 
-std::array<Growing, 3> ways_to_grow(const Sample& before, const Sample& sample) {
+std::array<WayToGrow, 3> ways_to_grow(const Sample& before, const Sample& sample) {
   const double segments = 1.0 * sample.segments / before.segments;
-  return {{{1.0, "hardly"}, {segments, "as n"}, {segments * segments, "as all pairs"}}};
+  return {{{"hardly", 1.0}, {"as n", segments}, {"as all pairs", segments * segments}}};
 }
 
 void words(const Story& story, FrameText& text) {
@@ -151,17 +150,9 @@ void question(const Story& story, FrameText& text) {
   if (asked.ask == kAskVisits.name) {
     const Sample& sample = before.trace.samples[answer];
     const Sample& last = before.trace.samples[answer - 1];
-    const std::array<Growing, 3> ways = ways_to_grow(last, sample);
-    const auto off = [&](const Growing& way) {
-      return std::abs(std::log(sample.boxes / last.boxes / way.ratio));
-    };
-    for (const Growing& way : ways) {
-      asked.subjects.push_back({Subject::Kind::study_dot, static_cast<int>(asked.choices.size())});
-      asked.choices.push_back(words_of(way));
-    }
-    asked.answer = words_of(
-        *std::min_element(ways.begin(), ways.end(),
-                          [&](const Growing& a, const Growing& b) { return off(a) < off(b); }));
+    std::array<WayToGrow, 3> ways = ways_to_grow(last, sample);
+    for (WayToGrow& way : ways) way.name = words_of(way);
+    ask_ways(kAskVisits.name, ways, sample.boxes / last.boxes, true, text);
     text.caption = fmt::format(
         "Question: from n = {} to {}, how do the visits of trees of boxes grow? Point at a place.",
         grouped(last.segments), grouped(sample.segments));

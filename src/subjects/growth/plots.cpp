@@ -47,10 +47,7 @@ PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::str
 /// The size whose iterations a frame asks about, or tells; 0 where there is none.
 int size_in_question(const LessonRun& run, const Frame& frame) {
   const int size = shown_size(run, frame).value_or(-1) + (frame.question >= 0 ? 1 : 0);
-  const auto& questions = run.lesson.questions;
-  const bool is_asked = std::any_of(questions.begin(), questions.end(), [&](const auto& question) {
-    return question.ask == kAskIterations.name && question.at.value_or(size + 1) == size + 1;
-  });
+  const bool is_asked = run.lesson.asks(kAskIterations.name, size + 1);
   const auto sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
   return is_asked && size > 0 && size < sizes ? size : 0;
 }

@@ -70,13 +70,6 @@ std::optional<Halves> Shown::halves() const {
   return out;
 }
 
-bool asks_about_halves(const Lesson& lesson, long visit) {
-  return std::any_of(lesson.questions.begin(), lesson.questions.end(),
-                     [&](const LessonQuestion& question) {
-                       return question.ask == kAskHalf.name && question.at.value_or(visit) == visit;
-                     });
-}
-
 std::optional<Extra> extra_of(const LessonRun& run, const Frame& frame) {
   if (frame.question >= 0) {
     const std::string& ask = run.asked(frame).ask;
@@ -94,18 +87,6 @@ bool is_known(const LessonRun& run, const Frame& frame, Extra extra) {
   const bool is_at_end = extra >= Extra::tile_size;
   if (is_at_end) return frame.part >= static_cast<int>(extra);
   return frame.step >= 0 || frame.part >= static_cast<int>(extra);
-}
-
-bool is_asked(const Lesson& lesson, const AskInfo& ask) {
-  return std::any_of(lesson.questions.begin(), lesson.questions.end(),
-                     [&](const LessonQuestion& question) { return question.ask == ask.name; });
-}
-
-bool is_asked_at(const Lesson& lesson, const AskInfo& ask, long visit) {
-  return std::any_of(lesson.questions.begin(), lesson.questions.end(),
-                     [&](const LessonQuestion& question) {
-                       return question.ask == ask.name && question.at.value_or(visit) == visit;
-                     });
 }
 
 NodeOnWay node_on_way(const std::vector<TreeNode>& tree) {
@@ -234,7 +215,7 @@ bool is_introduced(const Lesson& lesson, long visit) {
   constexpr std::array kOfVisits = {&kAskDescend,   &kAskWin,    &kAskTable, &kAskHalf,
                                     &kAskFirstLeaf, &kAskDearer, &kAskGap};
   return visit == 1 || std::any_of(kOfVisits.begin(), kOfVisits.end(), [&](const AskInfo* ask) {
-           return is_asked_at(lesson, *ask, visit);
+           return lesson.asks(ask->name, visit);
          });
 }
 
@@ -265,7 +246,7 @@ void add_frames(LessonRun& run, int index) {
   const auto add_extra = [&](int over, Extra extra) {
     const auto part = static_cast<std::size_t>(extra);
     const bool fits = extra < Extra::tiles || trees_of(run.lesson).volumes == VolumeKind::tiles;
-    if (index == 0 && fits && is_asked(run.lesson, *kExtraAsks[part]))
+    if (index == 0 && fits && run.lesson.asks(kExtraAsks[part]->name))
       add(over, static_cast<int>(part));
   };
   for (const Extra extra : {Extra::pieces, Extra::pairs, Extra::node, Extra::tiles, Extra::split})
@@ -279,7 +260,7 @@ void add_frames(LessonRun& run, int index) {
         step.phase == SearchPhase::visit && step.after.phase != SearchPhase::contain;
     const bool is_new_hit = step.record.hit && step.after.hits <= kMostHits;
     const bool is_between = is_long && visit % (visits / kBetween) != 0 && !step.record.better &&
-                            !is_new_hit && !asks_about_halves(run.lesson, visit + 1);
+                            !is_new_hit && !run.lesson.asks(kAskHalf.name, visit + 1);
     const bool is_explained_later =
         !is_long &&
         is_explained_with_the_next(run.lesson, trace.steps, static_cast<std::size_t>(i));
@@ -307,9 +288,7 @@ int answering_step(const LessonRun& run, const Frame& before, const Frame& frame
   const Shown shown(run, before);
   if (shown.is_refused()) return -1;
   for (std::size_t i = 0; i < kExtraAsks.size(); ++i) {
-    if (question.ask != kExtraAsks[i]->name) continue;
-    const bool is_of_tiles = static_cast<Extra>(i) >= Extra::tiles;
-    return frame.part == static_cast<int>(i) && (!is_of_tiles || shown.has_tiles()) ? 0 : -1;
+    if (question.ask == kExtraAsks[i]->name) return frame.part == static_cast<int>(i) ? 0 : -1;
   }
   if (question.ask == kAskWider.name)
     return !shown.is_answer && frame.part < 0 && Shown(run, frame).is_answer ? frame.step : -1;

@@ -61,7 +61,7 @@ void counters(PanelBuilder& panel, const Shown& shown, bool has_room = true) {
   panel.row(fmt::format("pairs of {} visited", shown.volumes()), count(shown.state.visits));
   if (has_room) panel.row("pairs that wait", count(static_cast<long>(shown.state.waiting.size())));
   const bool hides_pairs =
-      is_asked(shown.lesson, kAskPairs) && !is_known(panel.run, panel.frame, Extra::pairs);
+      shown.lesson.asks(kAskPairs.name) && !is_known(panel.run, panel.frame, Extra::pairs);
   panel.row("pairs of segments tested",
             fmt::format("{} of {}", count(shown.state.measured),
                         hides_pairs ? "?" : count(shown.search.pairs())));

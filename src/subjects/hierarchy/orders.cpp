@@ -94,11 +94,6 @@ constexpr AskInfo kAskNextPair{
 constexpr AskInfo kAskFewer{"fewer", "which order of children needs fewer visits", "after visit"};
 constexpr std::array kAsks = {kAskNextPair, kAskFewer};
 
-bool asks_for_next(const Lesson& lesson, long visits) {
-  return std::any_of(lesson.questions.begin(), lesson.questions.end(), [&](const auto& question) {
-    return question.ask == kAskNextPair.name && question.at.value_or(visits) == visits;
-  });
-}
 bool asks_for_next(const SceneBuilder& scene) {
   return scene.frame.question >= 0 && scene.run.asked(scene.frame).ask == kAskNextPair.name;
 }
@@ -224,8 +219,8 @@ void add_order_frames(LessonRun& run, int index) {
   for (int i = 0; i < static_cast<int>(trace.steps.size()); ++i) {
     const SearchStep& step = trace.steps[i];
     const long visits = step.after.visits;
-    const bool is_asked =
-        asks_for_next(run.lesson, visits) || asks_for_next(run.lesson, visits - 1);
+    const bool is_asked = run.lesson.asks(kAskNextPair.name, visits) ||
+                          run.lesson.asks(kAskNextPair.name, visits - 1);
     if (ends_visit(step) && (visits % stride == 0 || is_asked)) add(i + 1);
   }
   if (!trace.steps.empty()) add(static_cast<int>(trace.steps.size()) + 1);

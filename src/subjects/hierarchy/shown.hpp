@@ -52,9 +52,6 @@ inline constexpr std::array<const AskInfo*, 7> kExtraAsks = {
 [[nodiscard]] std::optional<Extra> extra_of(const LessonRun& run, const Frame& frame);
 /// The frame shows what `extra` answers, or comes after those that do.
 [[nodiscard]] bool is_known(const LessonRun& run, const Frame& frame, Extra extra);
-[[nodiscard]] bool is_asked(const Lesson& lesson, const AskInfo& ask);
-/// The question of this name, about this visit.
-[[nodiscard]] bool is_asked_at(const Lesson& lesson, const AskInfo& ask, long visit);
 
 /// Searches with more visits are summed up: frames show their milestones alone.
 inline constexpr long kMostVisits = 40;
@@ -160,8 +157,6 @@ struct BoxTests {
 };
 [[nodiscard]] BoxTests tests_of(const models::Box& a, const models::Box& b);
 
-/// A lesson asks what this visit answers about the halves that the one before it made.
-[[nodiscard]] bool asks_about_halves(const Lesson& lesson, long visit);
 /// The step that ends the visit of a pair.
 [[nodiscard]] bool ends_visit(const models::SearchStep& step);
 

@@ -76,8 +76,8 @@ class Stage {
     if (shown_.has_pair()) pair();
     if (shown_.is(SearchPhase::descend)) children();
     if (shown_.halves() &&
-        asks_about_halves(scene_.run.lesson,
-                          shown_.state.visits + (shown_.is(SearchPhase::descend) ? 1 : 0)))
+        scene_.run.lesson.asks(kAskHalf.name,
+                               shown_.state.visits + (shown_.is(SearchPhase::descend) ? 1 : 0)))
       halves(*shown_.halves());
     if (shown_.is(SearchPhase::leaf)) segments();
     candidate();
@@ -126,7 +126,7 @@ class Stage {
 
   /// The leaves of both trees, unless their number is asked for.
   void tiles() {
-    if (is_asked(scene_.run.lesson, kAskTiles) && !is_known(Extra::tiles)) return;
+    if (scene_.run.lesson.asks(kAskTiles.name) && !is_known(Extra::tiles)) return;
     for (const bool of_x : {true, false}) {
       for (const TreeNode& node : shown_.search.tree(of_x)) {
         if (node.is_leaf())
@@ -217,7 +217,7 @@ class Stage {
       scene_.out.moving_labels.push_back(std::move(label));
     }
     if (std::holds_alternative<Circle>(shown_.node(true).volume) &&
-        is_asked_at(scene_.run.lesson, kAskGap, shown_.state.visits))
+        scene_.run.lesson.asks(kAskGap.name, shown_.state.visits))
       centres();
     if (shown_.is_cut()) gap("gap", shown_.state.pair);
   }

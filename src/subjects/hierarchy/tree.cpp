@@ -83,7 +83,7 @@ class TreePicture {
   }
   /// Visited by the search for a meeting, too, where the answer compares both.
   [[nodiscard]] bool is_met(std::size_t i) const {
-    if (!shown_.is_answer || !is_asked(scene_.run.lesson, kAskWider)) return false;
+    if (!shown_.is_answer || !scene_.run.lesson.asks(kAskWider.name)) return false;
     const std::vector<models::SearchStep>& steps = shown_.search.collide.steps;
     return std::any_of(steps.begin(), steps.end(), [&](const models::SearchStep& step) {
       return step.phase == models::SearchPhase::bound &&

@@ -84,7 +84,7 @@ class Telling {
           fmt::format("Small circles tile the segments. A tree bounds these {} and {} tiles.",
                       shown_.search.tree(true)[0].count, shown_.search.tree(false)[0].count);
     text_.detail = "The pair of the two roots waits. ";
-    if (!is_asked(shown_.lesson, kAskPairs)) text_.detail = pairs() + " " + text_.detail;
+    if (!shown_.lesson.asks(kAskPairs.name)) text_.detail = pairs() + " " + text_.detail;
     if (shown_.search.options.remembered)
       text_.detail += fmt::format("The last pair gives a candidate at once: {}.", delta());
     else
@@ -207,14 +207,14 @@ class Telling {
     text_.caption = fmt::format("Visit {}: the pair of {} a of {} and b of {}.",
                                 shown_.state.visits, shown_.volumes(), x(), y());
     const std::optional<Halves> halves = shown_.halves();
-    if (halves && asks_about_halves(shown_.lesson, shown_.state.visits))
+    if (halves && shown_.lesson.asks(kAskHalf.name, shown_.state.visits))
       text_.caption = fmt::format("Visit {}: the {} half comes first. From here on it is {} {}.",
                                   shown_.state.visits, halves->is_left_first ? "left" : "right",
                                   shown_.volume(), halves->of_x ? "a" : "b");
     text_.detail = contents();
     if (!shown_.is_distance())
       text_.detail += fmt::format("Next: do the {} meet?", shown_.volumes());
-    else if (is_asked_at(shown_.lesson, kAskFirstLeaf, shown_.state.visits))
+    else if (shown_.lesson.asks(kAskFirstLeaf.name, shown_.state.visits))
       text_.detail += fmt::format("Next: how far are the {} apart?", shown_.volumes());
     else if (!shown_.state.candidate)
       text_.detail += "No segments are measured yet, so nothing can be cut.";
@@ -333,7 +333,7 @@ class Telling {
     const models::SearchResult& other = shown_.search.left_first.result;
     text_.detail = fmt::format("With the left child always first: {} and {}.",
                                counted(other.visits, "visit"), counted(other.measured, "pair"));
-    if (is_asked(shown_.lesson, kAskWider))
+    if (shown_.lesson.asks(kAskWider.name))
       text_.detail += fmt::format(" Whether they meet is known after {}: the ringed nodes.",
                                   counted(shown_.search.collide.result.visits, "visit"));
   }

@@ -213,11 +213,7 @@ void values(const Story& story, FrameText& text) {
 
 /// The vertices of X that a question chooses from have names, with its answer, too.
 void name_choices(SceneBuilder& scene) {
-  const std::vector<LessonQuestion>& questions = scene.run.lesson.questions;
-  const bool is_asked =
-      std::any_of(questions.begin(), questions.end(), [&](const LessonQuestion& question) {
-        return question.ask == asks::kClosestX.name && is_at(scene.frame, question);
-      });
+  const bool is_asked = scene.run.lesson.asks(asks::kClosestX.name, scene.frame.run + 1);
   if (!is_asked || is_sum(scene.frame)) return;
   for (const ChoiceOfX& choice : choices_of_x(scene.run, scene.frame)) {
     if (choice.from == choice.to)

@@ -376,10 +376,7 @@ void two_answers(PanelBuilder& panel) {
 void changed_line(PanelBuilder& panel) {
   const Shown shown(panel.run, panel.frame);
   if (shown.second.mistake.empty() || shown.step < shown.both.parting || shown.step < 0) return;
-  const std::vector<LessonQuestion>& questions = panel.run.lesson.questions;
-  const bool is_asked = std::any_of(questions.begin(), questions.end(),
-                                    [](const auto& each) { return each.ask == kAskLine.name; });
-  if (is_asked && !shown.is_answer) return;
+  if (panel.run.lesson.asks(kAskLine.name) && !shown.is_answer) return;
   panel.heading("The line that is changed");
   const auto lines = [&](const std::string& sign, std::string_view text) {
     constexpr double kSign = 20.0;
