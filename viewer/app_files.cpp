@@ -43,7 +43,7 @@ Expectation outcome_of(const LessonRun& run) {
   }
   const AlgorithmTrace& shown = *run.algorithm_traces.back();
   if (!expect.stop && !shown.stop().empty()) expect.stop = shown.stop();
-  for (const std::string_view name : run.act->algorithm->answers) {
+  for (const std::string_view name : run.tour->algorithm->answers) {
     if (const double found = shown.answer(name); found >= 0.0)
       expect.answers.emplace_back(name, found);
   }

@@ -326,7 +326,7 @@ void PictureView::press(const Subject& subject, const Point& page) {
   }
   if (subject.kind == Kind::phase) {
     app_.stop_playing();
-    const std::string_view phase = session_.run().act->algorithm->phases[subject.x];
+    const std::string_view phase = session_.run().tour->algorithm->phases[subject.x];
     if (!session_.go_to_next(phase)) app_.say(fmt::format("this run has no step '{}'", phase));
     return;
   }

@@ -20,10 +20,11 @@ void append(Printed& all, Printed more) {
 /// The trace of a lesson that shows the method.
 Printed print_trace(const ReadCase& read, ModelMethod method, bool json) {
   Lesson lesson = lesson_of(*read.outlines, read.name);
-  lesson.act = method == ModelMethod::pieces      ? "convex-pieces"
-               : method == ModelMethod::lin_canny ? "lin-canny"
-                                                  : "hierarchy-distance";
-  if (method == ModelMethod::circles) lesson.table = ActTable(LessonTrees{VolumeKind::circles});
+  lesson.tour = method == ModelMethod::pieces      ? "convex-pieces"
+                : method == ModelMethod::lin_canny ? "lin-canny"
+                                                   : "hierarchy-distance";
+  if (method == ModelMethod::circles)
+    lesson.settings = TourSettings(LessonTrees{VolumeKind::circles});
   const LessonRun run = run_lesson(std::move(lesson));
   Printed printed = print_trace(traced(run), json);
   if (!std::isfinite(run.algorithm_traces[0]->answer("distance")))

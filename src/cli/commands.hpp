@@ -111,7 +111,7 @@ struct StudyOptions {
 /// Interrupted, it does so with what there is.
 int study_accuracy_command(const Environment& env, const StudyOptions& options);
 
-/// Times methods for general models on the outlines of lessons of the granularity `general-growth`,
+/// Times methods for general models on the outlines of lessons of the tour `general-growth`,
 /// and prints a table; in `out_dir` models.toml, the table [growth.times] for such a lesson.
 /// Without names all lessons are meant. Interrupted, it does so with what there is.
 int study_models_command(const Environment& env, LessonChoice choice, const StudyOptions& options);

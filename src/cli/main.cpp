@@ -439,7 +439,7 @@ void add_commands(CLI::App& app, Arguments& args) {
   models->add_flag("--quick", args.study.quick, "Fewer repetitions");
   models->add_option("--out", args.study.out_dir, "Folder for models.toml")->type_name("DIR");
   models->footer(
-      "Lessons of the granularity general-growth: all pairs of segments, convex pieces, and\n"
+      "Lessons of the tour general-growth: all pairs of segments, convex pieces, and\n"
       "trees of boxes and circles, at each size. models.toml has the table [growth.times], which\n"
       "the lesson's file takes. Other lessons are left out.\n\n"
       "Examples:\n  gjkscope study models --out study\n"

@@ -335,7 +335,7 @@ class Exporter {
     way.toml = lesson_toml(way.run.lesson);
     way.made_from.add(lesson.id);
     way.made_from.add(way.toml);
-    if (const auto& file = lesson.table.file) way.made_from.add(*file->text);
+    if (const auto& file = lesson.settings.file) way.made_from.add(*file->text);
     EffectGraph effects(way.run);
     way.texts = lesson_texts(way.run, effects);
     // The files between two frames are known only once pictures are made.
@@ -604,7 +604,7 @@ class Exporter {
       exported.frames.push_back(
           {step, file_of(way, step).filename().string(), std::move(way.texts[step - 1])});
     }
-    if (options_.index && lesson.act == "course-map") {
+    if (options_.index && lesson.tour == "course-map") {
       EffectGraph effects(way.run);
       LessonPictures pictures(way.run, effects, fonts_, page_);
       exported.tiles = tiles_of_map(pictures.picture(way.steps.last - 1));

@@ -131,7 +131,7 @@ class SheetWriter {
       Lesson shown = lesson(id);
       shown.questions.clear();
       // The second of two runs, and the first view of other lessons.
-      const bool is_last = vocabulary().act(shown.act)->in_view != nullptr;
+      const bool is_last = vocabulary().tour(shown.tour)->in_view != nullptr;
       shown.views = {is_last ? shown.views.back() : shown.views.front()};
       const LessonRun run = run_lesson(std::move(shown));
       if (step < 1 || step > static_cast<int>(run.frames.size()))
@@ -146,11 +146,11 @@ class SheetWriter {
   /// A picture for each iteration of GJK, and its bounds.
   void trail(Lesson shown) {
     heading(fmt::format("A run at a glance: {}", shown.title));
-    shown.act = "phase";
+    shown.tour = "phase";
     shown.questions.clear();
     shown.until.reset();
     shown.phases.clear();
-    shown.table = {};
+    shown.settings = {};
     shown.views = {shown.views.back()};
     std::erase_if(shown.views.front().effects, [](const std::string& name) {
       return !find_term(vocabulary().effects, name)->table.empty();

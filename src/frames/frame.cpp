@@ -141,8 +141,8 @@ Layout layout_of(const LessonRun& run, int prose_lines, int caption_lines, const
 
 std::string position_of(const LessonRun& run, int index) {
   const Frame& frame = run.frames[index];
-  if (frame.question < 0) return run.act->position(run, index);
-  if (!run.act->follows_run) return fmt::format("step {} · question", index + 1);
+  if (frame.question < 0) return run.tour->position(run, index);
+  if (!run.tour->follows_run) return fmt::format("step {} · question", index + 1);
   // How many iterations there are would tell whether this is the last.
   return fmt::format("iteration {} · question", run.answering_iteration(frame));
 }
@@ -151,7 +151,7 @@ std::string default_title(const LessonRun& run, const LessonView& view) {
   if (!view.title.empty()) return view.title;
   if (view.kind == ViewKind::world)
     return fmt::format("World: {} and {}", run.lesson.x().name, run.lesson.y().name);
-  if (view.kind == ViewKind::plot) return run.act->plot_title(run);
+  if (view.kind == ViewKind::plot) return run.tour->plot_title(run);
   return fmt::format("Minkowski difference Z = {} − {}", run.lesson.y().name, run.lesson.x().name);
 }
 
@@ -453,7 +453,7 @@ const Scene& LessonPictures::scene(View& view, std::size_t index) {
       return *scene;
     }
     FrameInView in{&run_, &effects_, frame};
-    if (run_.act->in_view != nullptr) in = run_.act->in_view(run_, effects_, frame, view.index);
+    if (run_.tour->in_view != nullptr) in = run_.tour->in_view(run_, effects_, frame, view.index);
     scene = stage_scene(*in.run, *in.effects, in.frame, view.of, map, fonts_, view.still_layers);
     if (in.adds != nullptr) {
       SceneBuilder more(run_, effects_, frame, view.of, map);
@@ -518,7 +518,7 @@ std::vector<LegendEntry> LessonPictures::marks_to_explain(std::size_t view, std:
     for (const LegendEntry& entry : legend_entries(run_)) {
       // In a point query words speak of S only when a run is followed.
       const bool of_s = entry.role == "simplex.vertex";
-      if (of_s && run_.point_query() && !run_.act->follows_run) continue;
+      if (of_s && run_.point_query() && !run_.tour->follows_run) continue;
       for (std::size_t at = 0; at < explained_.size(); ++at) {
         if (!roles[at].contains(entry.role) ||
             !mark_of(scene(views_[at % views_.size()], at / views_.size()), entry.role))
@@ -739,13 +739,13 @@ Picture LessonPictures::picture(int index, const FrameText& text,
              Box{{card.min + Point::Constant(kCardBorder), view.title_box.max - Point(6.0, 3.0)},
                  kCardCorner - kCardBorder});
     const bool is_of_bounds = is_trail(run_.frames[at]) && !has_cells(run_, i);
-    // An act may fill a view of the shapes with its plot.
-    const bool is_of_act = view.shown.kind != ViewKind::plot && run_.act->plot_title != nullptr &&
-                           !is_trail(run_.frames[at]) &&
-                           mark_of(scene(view, at), "plot.axis") != nullptr;
+    // A tour may fill a view of the shapes with its plot.
+    const bool is_of_tour = view.shown.kind != ViewKind::plot && run_.tour->plot_title != nullptr &&
+                            !is_trail(run_.frames[at]) &&
+                            mark_of(scene(view, at), "plot.axis") != nullptr;
     page.write_lines("view-title", card.min + Point(14.0, 26.0),
                      is_of_bounds ? std::vector<std::string>{"Distance, as proved"}
-                     : is_of_act  ? std::vector<std::string>{run_.act->plot_title(run_)}
+                     : is_of_tour ? std::vector<std::string>{run_.tour->plot_title(run_)}
                                   : view.title,
                      type::kViewTitle, kTitleLine);
   }

@@ -11,7 +11,7 @@ std::vector<Mark> panel_marks(const LessonRun& run, EffectGraph& effects, const 
                               const Fonts& fonts, const Rect& card) {
   PanelBuilder panel(run, effects, frame, fonts, card);
   // A question at a new place would be answered by the numbers there.
-  if (frame.question >= 0 && run.act->asking != nullptr) {
+  if (frame.question >= 0 && run.tour->asking != nullptr) {
     panel.heading("The numbers come with the answer.");
     return std::move(panel.marks);
   }

@@ -81,10 +81,10 @@ Camera camera_of(const LessonRun& run, const LessonView& view, const Rect& area)
   }
   if (run.lesson.dimension == 3) return camera_in_space(run, view, area);
   Eigen::AlignedBox2d seen;
-  const Act& act = *run.act;
+  const Tour& tour = *run.tour;
   for (std::size_t index = 0; index < run.runs.size(); ++index) {
     const PositionedRun& positioned = run.runs[index];
-    if (act.reach != nullptr) act.reach(run, static_cast<int>(index), view.kind, seen);
+    if (tour.reach != nullptr) tour.reach(run, static_cast<int>(index), view.kind, seen);
     const auto box_of = [&](std::size_t body) {
       Eigen::AlignedBox2d box;
       for (const Vector2d& vertex : in_plane(positioned.bodies[body].world)) box.extend(vertex);
@@ -123,9 +123,9 @@ bool is_on(const Layer& layer, ViewKind kind) {
 Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame,
                   const LessonView& view, const StageMap& map, const Fonts& fonts,
                   StillLayers& drawn) {
-  const Act& act = *run.act;
+  const Tour& tour = *run.tour;
   SceneBuilder scene(run, effects, frame, view, map);
-  /// Marks with a depth come between the flat marks of the layers below the act and its own.
+  /// Marks with a depth come between the flat marks of the layers below the tour and its own.
   const auto finished = [&](std::size_t below) {
     Scene& out = scene.out;
     const std::vector<Mark> marks =
@@ -134,7 +134,7 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
                      marks.end());
     return std::move(out);
   };
-  if (act.fill != nullptr && act.fill(scene, fonts)) return finished(0);
+  if (tour.fill != nullptr && tour.fill(scene, fonts)) return finished(0);
   const auto draw_layer = [&](const Layer& layer) {
     if (layer.key == nullptr) return layer.draw(scene);
     const auto [still, is_new] = drawn.try_emplace({&layer, layer.key(scene)});
@@ -147,14 +147,14 @@ Scene stage_scene(const LessonRun& run, EffectGraph& effects, const Frame& frame
   };
   const auto draw = [&](bool above) {
     for (const Layer* layer : registered_layers()) {
-      const bool is_above = layer->order > Layer::kOfAct;
+      const bool is_above = layer->order > Layer::kOfTour;
       const bool is_called = layer->effect.empty() || scene.shows(layer->effect);
       if (is_above == above && is_called && is_on(*layer, view.kind)) draw_layer(*layer);
     }
   };
   draw(false);
   const std::size_t below = scene.out.marks.size();
-  act.stage(scene);
+  tour.stage(scene);
   draw(true);
   return finished(below);
 }

@@ -18,18 +18,18 @@ struct Group {
 };
 
 std::vector<Group> timeline_groups(const LessonRun& run) {
-  const Act& act = *run.act;
+  const Tour& tour = *run.tour;
   std::vector<Group> groups;
   for (const Frame& frame : run.frames) {
     Tick tick;
     if (frame.question < 0) {
-      tick = act.tick(run, frame);
+      tick = tour.tick(run, frame);
     } else {
       // A question belongs to the group of its answer, unless that would tell it.
       const Frame answer{.run = frame.run, .step = frame.answering_step};
-      tick = {.group = run.act->follows_run         ? act.tick(run, answer).group
-                       : run.act->asking != nullptr ? std::string("next")
-                                                    : groups.back().label,
+      tick = {.group = run.tour->follows_run         ? tour.tick(run, answer).group
+                       : run.tour->asking != nullptr ? std::string("next")
+                                                     : groups.back().label,
               .label = "question",
               .short_label = "?",
               .question = true};

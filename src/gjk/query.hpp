@@ -84,7 +84,7 @@ struct Options {
   Proof proof = Proof::exact;
 
   /// The first simplex. When it is empty, the run starts from the support point along the line
-  /// between the centres of the two shapes, which saves an iteration or two; in every scalar from
+  /// between the centers of the two shapes, which saves an iteration or two; in every scalar from
   /// the same one.
   WarmStart start = {};
 };

@@ -9,12 +9,12 @@
 
 namespace gjk {
 
-/// Vertex i relative to its shape's centre, in world axes and the run's unit.
+/// Vertex i relative to its shape's center, in world axes and the run's unit.
 template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> turned_vertex(const Shape<S, D>& shape, const Frames<R, D>& frames,
                                       const Body<R, D>& body, int i) {
   if (body.placed_count > 0) return body.placed[i];
-  return shape.pose.template rotated<R>(detail::from_centre(shape, frames, body, i));
+  return shape.pose.template rotated<R>(detail::from_center(shape, frames, body, i));
 }
 
 /// w = (Ry y + ty) - (Rx x + tx), in the run's unit, for rotations R and translations t. A
@@ -32,7 +32,7 @@ template <class R, class S, int D>
   return {Vec<R, D>(y - x) + frames.offset, pair};
 }
 
-/// dot(d, vertex i - centre) of a shape's vertices, for a direction d in world axes.
+/// dot(d, vertex i - center) of a shape's vertices, for a direction d in world axes.
 template <class R, class S, int D>
 struct Along {
   const Shape<S, D>& shape;
@@ -50,13 +50,13 @@ struct Along {
     }
     d = shape.pose.template direction_to_local<R>(in_world);
     if constexpr (std::is_same_v<R, S>) {
-      if (!frames.centred && frames.exponent == 0) in_place = shape.vertices().data();
+      if (!frames.centerd && frames.exponent == 0) in_place = shape.vertices().data();
     }
   }
   [[nodiscard]] int count() const { return static_cast<int>(shape.vertices().size()); }
   [[nodiscard]] R operator()(int i) const {
     if (in_place != nullptr) return dot(d, in_place[i]);
-    return dot(d, detail::from_centre(shape, frames, body, i));
+    return dot(d, detail::from_center(shape, frames, body, i));
   }
   /// The error of a difference of two values, for `climb`.
   [[nodiscard]] R rounding() const {
@@ -103,12 +103,12 @@ template <class R, class S, int D>
                                                      const Frames<R, D>& frames,
                                                      const Body<R, D>& body) {
   std::vector<ScanEntry<R>> entries;
-  const R at_centre = dot(d, shape.pose.template rotated<R>(frames.in_unit(body.centre)));
+  const R at_center = dot(d, shape.pose.template rotated<R>(frames.in_unit(body.center)));
   const Along<R, S, D> along(d, shape, frames, body);
   detail::Farthest<R> farthest;
   const auto look_at = [&](int i) {
     R value = along(i);
-    entries.push_back({i, value + at_centre, farthest.offer(i, value)});
+    entries.push_back({i, value + at_center, farthest.offer(i, value)});
     return value;
   };
   if (body.is_ring) {

@@ -32,7 +32,7 @@ class AlgorithmTrace {
                                                     const PositionedRun& run) const = 0;
 };
 
-/// An act names the one that it shows; it runs wherever the shapes stand.
+/// A tour names the one that it shows; it runs wherever the shapes stand.
 struct Algorithm {
   std::string_view name;                      ///< "depth": its key in a trace.
   std::span<const std::string_view> phases;   ///< In the order of their numbers.

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "gjk/gjk.hpp"
-#include "lesson/act_table.hpp"
 #include "lesson/eye.hpp"
+#include "lesson/tour_settings.hpp"
 
 namespace gjkscope {
 
@@ -129,7 +129,7 @@ struct LessonPath {
 /// A question that a frame asks before a step answers it. The answer comes from the step of the
 /// run, so questions can be asked about any shapes.
 struct LessonQuestion {
-  std::string ask;        ///< One that the act can ask (Act::asks): "support".
+  std::string ask;        ///< One that the tour can ask (Tour::asks): "support".
   std::optional<int> at;  ///< The iteration that answers, or the part asked about, from 1; without
                           ///< it each that can.
   friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
@@ -137,11 +137,11 @@ struct LessonQuestion {
 
 /// The expected outcome of the run; on a path, of its last run. `check` and the tests compare.
 struct Expectation {
-  std::optional<std::string> stop;  ///< GJK's; when it is not run, that of the act's algorithm.
+  std::optional<std::string> stop;  ///< GJK's; when it is not run, that of the tour's algorithm.
   std::optional<std::vector<std::string>>
       supports;  ///< One name for each support phase: "C", or "K-C" for a pair y-x.
   std::optional<double> distance;  ///< To the digits written.
-  /// The same, of what the act's algorithm comes to (Algorithm::answers): ("depth", 0.75).
+  /// The same, of what the tour's algorithm comes to (Algorithm::answers): ("depth", 0.75).
   std::vector<std::pair<std::string, double>> answers;
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };
@@ -165,11 +165,11 @@ struct Lesson {
   gjk::Options options = {.start = {.count = 1}};
   bool warm_start = false;  ///< Along a path, each run starts from the last one's final simplex.
 
-  std::string act = "phase";        ///< How runs become frames (subjects/subjects.hpp).
+  std::string tour = "phase";       ///< How runs become frames (subjects/subjects.hpp).
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  ActTable table;  ///< The one that the act takes (ActNeeds::table); empty where there is none.
+  TourSettings settings;  ///< Of the kind that the tour takes (TourNeeds::settings); empty: none.
 
   std::vector<LessonView> views;
   std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.

@@ -12,8 +12,8 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/schema.hpp"
+#include "lesson/settings_kind.hpp"
 #include "lesson/stop_tests.hpp"
-#include "lesson/table_kind.hpp"
 #include "lesson/toml_reader.hpp"
 
 namespace gjkscope {
@@ -73,10 +73,10 @@ class LessonReader {
   void read_start(const Field& start);
   void read_path(const Table& path, Place place);
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
-  void read_act_table(const Table& file);
+  void read_tour_settings(const Table& file);
   void check_table_is_shown();
   void read_steps(const Table& steps, const Table& file);
-  void check_act(const Act& act, const Field& granularity, const Table& file);
+  void check_tour(const Tour& tour, const Field& tour, const Table& file);
   void check_needs(const Term& term, const Field& field, std::string_view what);
   void read_effects(const Field& effects, LessonView& view);
   [[nodiscard]] Camera read_camera(const Table& table);
@@ -100,11 +100,11 @@ class LessonReader {
   double largest_ = limits::kLargest;  ///< The largest coordinate in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
   Field warm_;
-  Place table_place_;                                ///< The place of the act's table.
+  Place table_place_;                                ///< The place of the tour's table.
   std::array<ShapePlace, kBodyKeys.size()> places_;  ///< One for each body.
   std::array<Field, kBodyKeys.size()> outlines_;     ///< One for each body.
   std::array<Field, kBodyKeys.size()> radii_;        ///< One for each body.
-  bool act_is_known_ = true;  ///< False: the file names one that there is not.
+  bool tour_is_known_ = true;  ///< False: the file names one that there is not.
   std::map<std::string, int> line_of_vertex_name_;
 };
 
@@ -129,7 +129,7 @@ Lesson LessonReader::read(const toml::table& root) {
     problems_.add(warm_.place(), "a warm start without a path", "a table [path]");
   if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
   if (const auto steps = reader_.table(file["steps"], "steps")) read_steps(*steps, file);
-  read_act_table(file);
+  read_tour_settings(file);
   read_prose(file["prose"]);
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
@@ -155,7 +155,7 @@ void LessonReader::read_prose(const Field& prose) {
   lesson_.prose = reader_.text(prose, limits::kProseLength).value_or("");
   std::vector<std::string> known;
   for (const PlaceholderInfo& placeholder : kPlaceholders) known.emplace_back(placeholder.name);
-  for (const PlaceholderInfo& value : vocabulary_.act(lesson_.act)->algorithm->values)
+  for (const PlaceholderInfo& value : vocabulary_.tour(lesson_.tour)->algorithm->values)
     known.emplace_back(value.name);
   for (const ProsePart& part : prose_parts(lesson_.prose)) {
     if (part.kind == ProsePart::Kind::stray_brace) {
@@ -359,7 +359,7 @@ void LessonReader::read_start(const Field& start) {
   if (!start) return;
   gjk::Options& options = lesson_.options;
   if (start.node->is_string()) {
-    const std::vector<std::string> known = {"centre-to-centre"};
+    const std::vector<std::string> known = {"center-to-center"};
     if (reader_.name(start, "start", known)) options.start.count = 0;
     return;
   }
@@ -456,19 +456,18 @@ LessonMotion LessonReader::read_motion(const Table& motion, std::string_view sha
   return read;
 }
 
-/// A block, a listing or an effect goes with one act, or with a table.
+/// A block, a listing or an effect goes with one tour, or with a table.
 void LessonReader::check_needs(const Term& term, const Field& field, std::string_view what) {
-  if (!term.act.empty() && lesson_.act != term.act) {
-    const Act* act = vocabulary_.act(term.act);
-    std::string expected = fmt::format("granularity = \"{}\" in [steps]", term.act);
-    if (act != nullptr) {
-      for (const std::string_view table : act->needs.required_tables())
+  if (!term.tour.empty() && lesson_.tour != term.tour) {
+    const Tour* tour = vocabulary_.tour(term.tour);
+    std::string expected = fmt::format("tour = \"{}\" in [steps]", term.tour);
+    if (tour != nullptr) {
+      for (const std::string_view table : tour->needs.required_tables())
         expected += fmt::format(", and a table [{}]", table);
     }
-    problems_.add(field.place(), fmt::format("{} without granularity '{}'", what, term.act),
-                  expected);
+    problems_.add(field.place(), fmt::format("{} without tour '{}'", what, term.tour), expected);
   }
-  if (!has_table(lesson_, term.table)) {
+  if (!has_settings(lesson_, term.table)) {
     problems_.add(field.place(), fmt::format("{} without a table [{}]", what, term.table),
                   fmt::format("a table [{}]", term.table));
   }
@@ -490,12 +489,11 @@ void LessonReader::check_needs(const Term& term, const Field& field, std::string
   }
 }
 
-void LessonReader::check_act(const Act& act, const Field& granularity, const Table& file) {
+void LessonReader::check_tour(const Tour& tour, const Field& tour, const Table& file) {
   const auto refuse = [&](std::string_view what, std::string expected) {
-    problems_.add(granularity.place(), fmt::format("granularity '{}' {}", act.name, what),
-                  std::move(expected));
+    problems_.add(tour.place(), fmt::format("tour '{}' {}", tour.name, what), std::move(expected));
   };
-  const ActNeeds& needs = act.needs;
+  const TourNeeds& needs = tour.needs;
   for (const std::string_view table : needs.required_tables()) {
     if (!file[table]) return refuse("without its table", fmt::format("a table [{}]", table));
   }
@@ -523,26 +521,26 @@ void LessonReader::check_act(const Act& act, const Field& granularity, const Tab
 }
 
 void LessonReader::read_steps(const Table& steps, const Table& file) {
-  const std::vector<std::string> known = names_of(vocabulary_.acts);
-  Field granularity = steps["granularity"];
-  granularity.expected = one_of(known);
-  if (const std::optional<std::string> chosen = reader_.name(granularity, "granularity", known)) {
-    lesson_.act = *chosen;
-    check_act(*vocabulary_.act(*chosen), granularity, file);
+  const std::vector<std::string> known = names_of(vocabulary_.tours);
+  Field tour = steps["tour"];
+  tour.expected = one_of(known);
+  if (const std::optional<std::string> chosen = reader_.name(tour, "tour", known)) {
+    lesson_.tour = *chosen;
+    check_tour(*vocabulary_.tour(*chosen), tour, file);
   } else {
-    act_is_known_ = !granularity;
+    tour_is_known_ = !tour;
   }
-  const Act& act = *vocabulary_.act(lesson_.act);
-  if (!act.algorithm->takes_outlines) {
+  const Tour& tour = *vocabulary_.tour(lesson_.tour);
+  if (!tour.algorithm->takes_outlines) {
     for (const Field& outlines : outlines_) {
       if (!outlines) continue;
-      problems_.add(outlines.place(), fmt::format("'outlines' with granularity '{}'", act.name),
+      problems_.add(outlines.place(), fmt::format("'outlines' with tour '{}'", tour.name),
                     "no 'outlines': GJK asks about the hull of the vertices");
     }
   }
   for (const Field& radius : radii_) {
-    if (!radius || act.needs.takes_radius) continue;
-    problems_.add(radius.place(), fmt::format("'radius' with granularity '{}'", act.name),
+    if (!radius || tour.needs.takes_radius) continue;
+    problems_.add(radius.place(), fmt::format("'radius' with tour '{}'", tour.name),
                   "no 'radius': only a frame that tells how a run of GJK ends subtracts it");
   }
   const Field until = steps["until"];
@@ -552,34 +550,34 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
     if (const auto phase = reader_.choice<gjk::Phase>(entry, "phase"))
       lesson_.phases.push_back(*phase);
   }
-  if (phases && !act.needs.takes_phases) {
-    problems_.add(phases.place(), fmt::format("'phases' with granularity '{}'", act.name),
-                  "granularity 'phase', or no 'phases'");
+  if (phases && !tour.needs.takes_phases) {
+    problems_.add(phases.place(), fmt::format("'phases' with tour '{}'", tour.name),
+                  "tour 'phase', or no 'phases'");
   }
-  if (until && !act.needs.why_no_until.empty()) {
-    problems_.add(until.place(), fmt::format("'until' with granularity '{}'", act.name),
-                  fmt::format("no 'until': {}", act.needs.why_no_until));
+  if (until && !tour.needs.why_no_until.empty()) {
+    problems_.add(until.place(), fmt::format("'until' with tour '{}'", tour.name),
+                  fmt::format("no 'until': {}", tour.needs.why_no_until));
   }
 }
 
-void LessonReader::read_act_table(const Table& file) {
-  const TableKind* own = vocabulary_.act(lesson_.act)->needs.table;
-  for (const TableKind* kind : tables_of(vocabulary_.acts)) {
+void LessonReader::read_tour_settings(const Table& file) {
+  const SettingsKind* own = vocabulary_.tour(lesson_.tour)->needs.settings;
+  for (const SettingsKind* kind : settings_of(vocabulary_.tours)) {
     const Field field = file[kind->name];
     const std::optional<Table> table = reader_.table(field, kind->name);
     if (!field) continue;
-    ActTable read;
+    TourSettings read;
     if (table)
       read = kind->read({*table, field.place(), reader_, problems_, lesson_, folder_, read_file_});
     if (kind == own) {
-      lesson_.table = std::move(read);
+      lesson_.settings = std::move(read);
       table_place_ = field.place();
-    } else if (act_is_known_) {
-      const std::vector<std::string> acts = names_of(acts_with(vocabulary_.acts, *kind));
-      problems_.add(field.place(),
-                    fmt::format("a table [{}] without granularity '{}'", kind->name,
-                                fmt::join(acts, "' or '")),
-                    fmt::format("granularity = \"{}\" in [steps]", fmt::join(acts, "\" or \"")));
+    } else if (tour_is_known_) {
+      const std::vector<std::string> tours = names_of(tours_with(vocabulary_.tours, *kind));
+      problems_.add(
+          field.place(),
+          fmt::format("a table [{}] without tour '{}'", kind->name, fmt::join(tours, "' or '")),
+          fmt::format("tour = \"{}\" in [steps]", fmt::join(tours, "\" or \"")));
     }
   }
 }
@@ -613,7 +611,7 @@ void LessonReader::read_views(const Field& views) {
     problems_.add(views, fmt::format("{} views", entries.size()));
   }
   std::vector<std::string> kinds = names_of<ViewKind>();
-  for (const Act* act : vocabulary_.plots) kinds.emplace_back(act->name);
+  for (const Tour* tour : vocabulary_.plots) kinds.emplace_back(tour->name);
   for (const Field& entry : entries) {
     const std::optional<Table> table = reader_.table(entry, "views");
     if (!table) continue;
@@ -637,7 +635,7 @@ void LessonReader::read_views(const Field& views) {
     }
     read_effects((*table)["effects"], view);
     if (!shows_shapes(view.kind)) {
-      check_needs({.name = kind, .act = kind}, show, fmt::format("view '{}'", kind));
+      check_needs({.name = kind, .tour = kind}, show, fmt::format("view '{}'", kind));
       for (const char* key : {"camera", "close-up", "effects"}) {
         if (const Field field = (*table)[key]) {
           problems_.add(field.place(), fmt::format("{} in a view of {}", field.label, kind),
@@ -650,11 +648,12 @@ void LessonReader::read_views(const Field& views) {
   check_table_is_shown();
 }
 
-/// A table that an act may do without is there for effects of views.
+/// A table that a tour may do without is there for effects of views.
 void LessonReader::check_table_is_shown() {
-  if (!vocabulary_.act(lesson_.act)->needs.table_is_optional || lesson_.table.kind() == nullptr)
+  if (!vocabulary_.tour(lesson_.tour)->needs.settings_are_optional ||
+      lesson_.settings.kind() == nullptr)
     return;
-  const std::string_view name = lesson_.table.kind()->name;
+  const std::string_view name = lesson_.settings.kind()->name;
   std::vector<std::string> effects;
   for (const Term& effect : vocabulary_.effects) {
     if (effect.table == name) effects.emplace_back(effect.name);
@@ -719,16 +718,16 @@ void LessonReader::read_panel(const Table& panel) {
 }
 
 void LessonReader::read_questions(const Field& questions) {
-  const Act& act = *vocabulary_.act(lesson_.act);
+  const Tour& tour = *vocabulary_.tour(lesson_.tour);
   std::vector<std::string> known;
-  for (const Act* each : vocabulary_.acts) {
+  for (const Tour* each : vocabulary_.tours) {
     for (const AskInfo& info : each->asks) {
       if (std::find(known.begin(), known.end(), info.name) == known.end())
         known.emplace_back(info.name);
     }
   }
   std::vector<std::string_view> asked_here;
-  for (const AskInfo& info : act.asks) asked_here.push_back(info.name);
+  for (const AskInfo& info : tour.asks) asked_here.push_back(info.name);
   for (const Field& entry : reader_.entries(questions, "table [[questions]]")) {
     const std::optional<Table> table = reader_.table(entry, "questions");
     if (!table) continue;
@@ -736,9 +735,8 @@ void LessonReader::read_questions(const Field& questions) {
     const std::optional<std::string> asked = reader_.name(ask, "question", known);
     const std::optional<int> at = reader_.whole_number((*table)["at"], 1, limits::kCap);
     if (!asked) continue;
-    if (act.ask(*asked) == nullptr) {
-      problems_.add(ask.place(),
-                    fmt::format("question '{}' with granularity '{}'", *asked, act.name),
+    if (tour.ask(*asked) == nullptr) {
+      problems_.add(ask.place(), fmt::format("question '{}' with tour '{}'", *asked, tour.name),
                     fmt::format("one of: {}", fmt::join(asked_here, ", ")));
     }
     const auto same = [&](const LessonQuestion& other) {
@@ -754,13 +752,13 @@ void LessonReader::read_questions(const Field& questions) {
 
 void LessonReader::read_answers(const Field& answers) {
   if (!answers) return;
-  const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
+  const Algorithm* algorithm = vocabulary_.tour(lesson_.tour)->algorithm;
   if (algorithm->answers.empty()) {
-    std::vector<const Act*> able;
-    std::copy_if(vocabulary_.acts.begin(), vocabulary_.acts.end(), std::back_inserter(able),
-                 [](const Act* each) { return !each->algorithm->answers.empty(); });
-    problems_.add(answers.place(), fmt::format("'answer' with granularity '{}'", lesson_.act),
-                  "granularity " + one_of(names_of(able)) + ", or no 'answer'");
+    std::vector<const Tour*> able;
+    std::copy_if(vocabulary_.tours.begin(), vocabulary_.tours.end(), std::back_inserter(able),
+                 [](const Tour* each) { return !each->algorithm->answers.empty(); });
+    problems_.add(answers.place(), fmt::format("'answer' with tour '{}'", lesson_.tour),
+                  "tour " + one_of(names_of(able)) + ", or no 'answer'");
     return;
   }
   const std::vector<std::string> known(algorithm->answers.begin(), algorithm->answers.end());
@@ -771,7 +769,7 @@ void LessonReader::read_answers(const Field& answers) {
 }
 
 void LessonReader::read_expect(const Table& expect, Place place) {
-  const Algorithm* algorithm = vocabulary_.act(lesson_.act)->algorithm;
+  const Algorithm* algorithm = vocabulary_.tour(lesson_.tour)->algorithm;
   if (algorithm->takes_outlines) {
     const std::vector<std::string> stops(algorithm->stops.begin(), algorithm->stops.end());
     std::vector<std::string_view> of_gjk = {"distance", "supports"};
@@ -784,7 +782,7 @@ void LessonReader::read_expect(const Table& expect, Place place) {
     }
     for (const std::string_view key : of_gjk) {
       if (const Field field = expect[key]) {
-        problems_.add(field.place(), fmt::format("'{}' with granularity '{}'", key, lesson_.act),
+        problems_.add(field.place(), fmt::format("'{}' with tour '{}'", key, lesson_.tour),
                       "'answer': GJK is not run");
       }
     }

@@ -2,7 +2,7 @@
 // Reads a lesson file. Nothing is half-loaded: the lesson is there only when the file has no
 // problem at all.
 //
-// Acts, blocks, listings and effects are registered above this folder (subjects/subjects.hpp), so
+// Tours, blocks, listings and effects are registered above this folder (subjects/subjects.hpp), so
 // the vocabulary of all that a file may name is handed in.
 
 #include <filesystem>

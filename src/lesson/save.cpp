@@ -11,8 +11,8 @@
 #include "base/decimal.hpp"
 #include "lesson/load.hpp"
 #include "lesson/names.hpp"
+#include "lesson/settings_kind.hpp"
 #include "lesson/stop_tests.hpp"
-#include "lesson/table_kind.hpp"
 #include "lesson/toml_patch.hpp"
 
 namespace gjkscope {
@@ -43,7 +43,7 @@ void write_shape(TomlText& out, const LessonShape& shape, std::string_view key, 
 void write_start(TomlText& out, const Lesson& lesson) {
   const gjk::Options& options = lesson.options;
   if (options.start.count == 0) {
-    out.key("start", as_text("centre-to-centre"));
+    out.key("start", as_text("center-to-center"));
     return;
   }
   if (options.start.count == 1 && options.start.pairs[0] == gjk::VertexPair{}) return;
@@ -74,7 +74,7 @@ void write_query(TomlText& out, const Lesson& lesson) {
 
 void write_steps(TomlText& out, const Lesson& lesson) {
   out.table("[steps]");
-  out.text("granularity", lesson.act, Lesson().act);
+  out.text("tour", lesson.tour, Lesson().tour);
   if (lesson.until) out.key("until", as_text(name_of(*lesson.until)));
   if (!lesson.phases.empty()) out.list("phases", names_as_texts(lesson.phases));
 }
@@ -100,10 +100,10 @@ std::string camera_keys(const Camera& camera, int dimension) {
                      decimal(camera.height), stretch);
 }
 
-/// A plot is called like the act that fills it.
+/// A plot is called like the tour that fills it.
 void write_view(TomlText& out, const LessonView& view, const Lesson& lesson) {
   out.table("[[views]]");
-  out.key("show", as_text(view.kind == ViewKind::plot ? lesson.act : name_of(view.kind)));
+  out.key("show", as_text(view.kind == ViewKind::plot ? lesson.tour : name_of(view.kind)));
   out.text("title", view.title, "");
   if (view.camera)
     out.key("camera", fmt::format("{{ {} }}", camera_keys(*view.camera, lesson.dimension)));
@@ -150,7 +150,7 @@ std::string lesson_toml(const Lesson& lesson) {
   write_query(out, lesson);
   write_steps(out, lesson);
   if (lesson.path_of_shapes) write_path(out, *lesson.path_of_shapes, lesson.dimension);
-  if (const TableKind* kind = lesson.table.kind()) kind->write(lesson.table, out);
+  if (const SettingsKind* kind = lesson.settings.kind()) kind->write(lesson.table, out);
   for (const LessonView& view : lesson.views) write_view(out, view, lesson);
   out.table("[panel]");
   if (!lesson.panel.empty()) out.list("blocks", as_texts(lesson.panel));
@@ -179,7 +179,7 @@ std::optional<std::string> lesson_toml_kept(std::string_view original, const Les
 }
 
 Lesson with_absolute_file(Lesson lesson) {
-  if (std::optional<NamedFile>& file = lesson.table.file) {
+  if (std::optional<NamedFile>& file = lesson.settings.file) {
     const std::filesystem::path folder = std::filesystem::path(lesson.path).parent_path();
     file->path = std::filesystem::absolute(folder / file->path).string();
   }

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "lesson/names.hpp"
+#include "lesson/settings_kind.hpp"
 #include "lesson/stop_tests.hpp"
-#include "lesson/table_kind.hpp"
 #include "lesson/vocabulary.hpp"
 
 namespace gjkscope {
@@ -63,7 +63,7 @@ std::vector<LessonKey> own_keys() {
                    kOutlineVertices),
        "all vertices are one outline",
        "how many vertices each outline has, one outline after the other: counter-clockwise around "
-       "what is solid, clockwise around a hole; only with granularities of outlines"},
+       "what is solid, clockwise around a hole; only with tours of outlines"},
       {"shapes.X", "translate", "point [x, y]", "[0, 0]", "where the shape's own origin stands"},
       {"shapes.X", "rotate", fmt::format("number from {} to {}", -kTurn, kTurn), "0",
        "degrees counter-clockwise, before `translate`; in space about `axis`"},
@@ -71,7 +71,7 @@ std::vector<LessonKey> own_keys() {
        "in space: the direction that the shape turns about, which is seen from its tip"},
       {"shapes.X", "radius", fmt::format("number from 0 to {}", kLargest), "0",
        "the shape is all points within this distance of the hull of the vertices; GJK asks about "
-       "the hull, and frames that tell the end subtract the radii; only with granularities whose "
+       "the hull, and frames that tell the end subtract the radii; only with tours whose "
        "frames tell how a run of GJK ends"},
 
       {"query", "scalar", one_of(names_of<ScalarKind>()), "double",
@@ -87,7 +87,7 @@ std::vector<LessonKey> own_keys() {
       {"query", "cap", fmt::format("whole number from 1 to {}", kCap),
        std::to_string(gjk::kDefaultIterationCap), "iterations after which the run gives up"},
       {"query", "start",
-       fmt::format("list of 1 to {} simplex vertices (in space {}), or \"centre-to-centre\"",
+       fmt::format("list of 1 to {} simplex vertices (in space {}), or \"center-to-center\"",
                    kSimplexVertices, kSimplexVertices + 1),
        "the first vertices of X and Y",
        "first simplex: names of vertices of Y in a point query, else pairs like \"K-C\", Y's "
@@ -95,12 +95,12 @@ std::vector<LessonKey> own_keys() {
       {"query", "warm", "true or false", "false",
        "along a path, each run but the first starts from the final simplex of the one before"},
 
-      {"steps", "granularity", "name of a granularity", "phase", "what one frame is"},
+      {"steps", "tour", "name of a tour", "phase", "how the run becomes frames: what one frame is"},
       {"steps", "until", one_of(names_of<gjk::Phase>()), "the whole run",
        "frames end with the first step of this phase; along a path each shows it (else the closest "
        "point)"},
       {"steps", "phases", fmt::format("list of: {}", fmt::join(names_of<gjk::Phase>(), ", ")),
-       "all of them", "with granularity `phase`: the phases that get a frame"},
+       "all of them", "with tour `phase`: the phases that get a frame"},
 
       {"path", "points", point_list, "X stays where it is",
        fmt::format("2 to {} corners of the way of X: translations", kPositions)},
@@ -117,8 +117,8 @@ std::vector<LessonKey> own_keys() {
       {"path.Y", "turns", list_of_turns, "Y does not turn",
        "degrees that Y is turned by at its corners, as many as `points`"},
 
-      {"views", "show", "world, difference, or a granularity that fills a view", required,
-       "the two shapes, Y - X, or what the granularity plots"},
+      {"views", "show", "world, difference, or a tour that fills a view", required,
+       "the two shapes, Y - X, or what the tour plots"},
       {"views", "title", text_up_to(kViewTitleLength), "none", "heading of the view"},
       {"views", "camera", "table { center = [x, y], height = h, stretch = s }",
        "fits what is drawn", "the part of the world that is seen"},
@@ -149,7 +149,7 @@ std::vector<LessonKey> own_keys() {
        "what the block `pseudocode` shows; needed with that block and only then"},
 
       {"questions", "ask", "name of a question", required,
-       "what is asked; each granularity has questions of its own"},
+       "what is asked; each tour has questions of its own"},
       {"questions", "at", fmt::format("whole number from 1 to {}", kCap), "each that can",
        "iteration that answers; where frames do not follow a run of GJK, the part that is asked "
        "about"},
@@ -160,13 +160,13 @@ std::vector<LessonKey> own_keys() {
        "iteration-cap",
        "required where GJK runs",
        "why the run ends; the last run of a path. Where GJK is not run, a stop reason of the "
-       "granularity's own algorithm, as `gjkscope trace` names it"},
+       "tour's own algorithm, as `gjkscope trace` names it"},
       {"expect", "supports", "list of simplex vertices", "not checked",
        "support points in the order found, as in `query.start`"},
       {"expect", "distance", "number of at least 0", "not checked",
        "distance, to the digits written"},
       {"expect", "answer", "table of numbers of at least 0", "not checked",
-       "what the granularity's own algorithm comes to, to the digits written; with `depth`: the "
+       "what the tour's own algorithm comes to, to the digits written; with `depth`: the "
        "penetration depth, `{ depth = 0.5 }`"},
   };
 }
@@ -179,16 +179,16 @@ std::string one_of(const std::vector<std::string>& names) {
   return fmt::format("one of: {}", fmt::join(names, ", "));
 }
 
-std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts) {
+std::vector<LessonKey> lesson_keys(const std::vector<const Tour*>& tours) {
   std::vector<LessonKey> keys = own_keys();
-  for (const TableKind* table : tables_of(acts)) {
+  for (const SettingsKind* table : settings_of(tours)) {
     std::string uses;
     for (const bool optional : {false, true}) {
-      std::vector<const Act*> takers = acts_with(acts, *table);
-      std::erase_if(takers,
-                    [&](const Act* act) { return act->needs.table_is_optional != optional; });
+      std::vector<const Tour*> takers = tours_with(tours, *table);
+      std::erase_if(
+          takers, [&](const Tour* tour) { return tour->needs.settings_are_optional != optional; });
       if (!takers.empty()) {
-        uses += fmt::format("; {} with granularity `{}`", optional ? "optional" : "required",
+        uses += fmt::format("; {} with tour `{}`", optional ? "optional" : "required",
                             fmt::join(names_of(takers), "`, `"));
       }
     }

@@ -20,11 +20,11 @@ struct LessonKey {
 
 inline constexpr std::string_view kRequired = "required";
 
-struct Act;
+struct Tour;
 
 /// All keys, in the order in which README.md lists them: those of every lesson, then those of the
-/// tables that acts take.
-[[nodiscard]] std::vector<LessonKey> lesson_keys(const std::vector<const Act*>& acts);
+/// tables that tours take.
+[[nodiscard]] std::vector<LessonKey> lesson_keys(const std::vector<const Tour*>& tours);
 
 // Types of keys, as messages say them.
 

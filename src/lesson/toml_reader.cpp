@@ -94,8 +94,8 @@ std::string in_quotes(std::string_view name) {
 namespace {
 
 /// Keys that a table had once, and what says the same today.
-constexpr std::array<std::array<std::string_view, 3>, 1> kFormerKeys = {
-    {{"query", "beside", "'scalar' in a table [second]"}}};
+constexpr std::array<std::array<std::string_view, 3>, 2> kFormerKeys = {
+    {{"query", "beside", "'scalar' in a table [second]"}, {"steps", "granularity", "'tour'"}}};
 
 void refuse_other_keys(const toml::table& table, std::string_view name,
                        const std::vector<std::string>& known, Problems& problems) {

@@ -3,31 +3,31 @@
 #include <algorithm>
 #include <iterator>
 
-#include "lesson/table_kind.hpp"
+#include "lesson/settings_kind.hpp"
 
 namespace gjkscope {
 
-std::vector<std::string_view> ActNeeds::required_tables() const {
+std::vector<std::string_view> TourNeeds::required_tables() const {
   std::vector<std::string_view> names;
   if (path == PathUse::needed) names.emplace_back("path");
-  if (table != nullptr && !table_is_optional) names.push_back(table->name);
+  if (settings != nullptr && !settings_are_optional) names.push_back(settings->name);
   return names;
 }
 
-const AskInfo* Act::ask(std::string_view asked) const {
+const AskInfo* Tour::ask(std::string_view asked) const {
   const auto found = std::find_if(asks.begin(), asks.end(),
                                   [&](const AskInfo& each) { return each.name == asked; });
   return found == asks.end() ? nullptr : &*found;
 }
 
-const Act* Vocabulary::act(std::string_view name) const {
-  const auto found =
-      std::find_if(acts.begin(), acts.end(), [&](const Act* each) { return each->name == name; });
-  return found == acts.end() ? nullptr : *found;
+const Tour* Vocabulary::tour(std::string_view name) const {
+  const auto found = std::find_if(tours.begin(), tours.end(),
+                                  [&](const Tour* each) { return each->name == name; });
+  return found == tours.end() ? nullptr : *found;
 }
 
-bool has_table(const Lesson& lesson, std::string_view name) {
-  const TableKind* kind = lesson.table.kind();
+bool has_settings(const Lesson& lesson, std::string_view name) {
+  const SettingsKind* kind = lesson.settings.kind();
   return name.empty() || (kind != nullptr && kind->name == name);
 }
 
@@ -43,26 +43,27 @@ std::vector<std::string> names_of(const std::vector<Term>& terms) {
   return names;
 }
 
-std::vector<std::string> names_of(const std::vector<const Act*>& acts) {
+std::vector<std::string> names_of(const std::vector<const Tour*>& tours) {
   std::vector<std::string> names;
-  for (const Act* act : acts) names.emplace_back(act->name);
+  for (const Tour* tour : tours) names.emplace_back(tour->name);
   return names;
 }
 
-std::vector<const TableKind*> tables_of(const std::vector<const Act*>& acts) {
-  std::vector<const TableKind*> tables;
-  for (const Act* act : acts) {
-    const TableKind* table = act->needs.table;
-    if (table != nullptr && std::find(tables.begin(), tables.end(), table) == tables.end())
-      tables.push_back(table);
+std::vector<const SettingsKind*> settings_of(const std::vector<const Tour*>& tours) {
+  std::vector<const SettingsKind*> kinds;
+  for (const Tour* tour : tours) {
+    const SettingsKind* kind = tour->needs.settings;
+    if (kind != nullptr && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+      kinds.push_back(kind);
   }
-  return tables;
+  return kinds;
 }
 
-std::vector<const Act*> acts_with(const std::vector<const Act*>& acts, const TableKind& table) {
-  std::vector<const Act*> out;
-  std::copy_if(acts.begin(), acts.end(), std::back_inserter(out),
-               [&](const Act* act) { return act->needs.table == &table; });
+std::vector<const Tour*> tours_with(const std::vector<const Tour*>& tours,
+                                    const SettingsKind& kind) {
+  std::vector<const Tour*> out;
+  std::copy_if(tours.begin(), tours.end(), std::back_inserter(out),
+               [&](const Tour* tour) { return tour->needs.settings == &kind; });
   return out;
 }
 

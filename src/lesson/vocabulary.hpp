@@ -1,5 +1,5 @@
 #pragma once
-// Names that a lesson file can use though they are defined above this folder: acts and their
+// Names that a lesson file can use though they are defined above this folder: tours and their
 // tables, panel blocks, listings and effects. The loader is handed all of them, and looks up names
 // and needs; lesson/ names none.
 
@@ -26,14 +26,16 @@ struct SceneBuilder;
 class Fonts;
 class EffectGraph;
 
-/// Whether a table [path] goes with an act.
+/// Whether a table [path] goes with a tour.
 enum class PathUse { refused, possible, needed };
 
-/// Requirements of an act on a lesson.
-struct ActNeeds {
-  /// The table that the act takes; nullptr: none. A lesson has no other act's table.
-  const TableKind* table = nullptr;
-  bool table_is_optional = false;  ///< A file may leave it out; then Lesson::table is empty.
+/// Requirements of a tour on a lesson.
+struct TourNeeds {
+  /// The settings that the tour takes, a table of the file; nullptr: none. A lesson has no other
+  /// tour's.
+  const SettingsKind* settings = nullptr;
+  bool settings_are_optional =
+      false;  ///< A file may leave them out; then Lesson::settings is empty.
   PathUse path = PathUse::possible;
   int start = 0;              ///< Vertices of a point query's first simplex; 0: any query will do.
   int most_vertices = 0;      ///< In each shape; 0: as many as a lesson may have.
@@ -54,19 +56,18 @@ struct FrameInView {
   void (*adds)(SceneBuilder& scene) = nullptr;  ///< Draws over it what the lesson's frame adds.
 };
 
-/// A question that frames of an act can ask.
+/// A question that frames of a tour can ask.
 struct AskInfo {
   std::string_view name;                      ///< "support"
   std::string_view meaning;                   ///< The thing asked for.
   std::string_view counted = "in iteration";  ///< How LessonQuestion::at counts.
 };
 
-/// How runs become frames, which place, words and marks they have. Files, and messages about them,
-/// call an act the `granularity` of steps.
-struct Act {
+/// How runs become frames, which place, words and marks they have. A file names it in `steps.tour`.
+struct Tour {
   std::string_view name;     ///< "phase"
   std::string_view meaning;  ///< The purpose of one frame, after "one frame for each".
-  ActNeeds needs = {};
+  TourNeeds needs = {};
   /// Appends the frames of run `index`.
   void (*add_frames)(LessonRun& run, int index) = nullptr;
   /// Frames go through the steps of a run: questions belong to its iterations.
@@ -83,7 +84,7 @@ struct Act {
   /// The algorithm that the frames show.
   const Algorithm* algorithm = nullptr;
 
-  /// Corrects what is known where a frame shows a part of its step; only of acts that take steps
+  /// Corrects what is known where a frame shows a part of its step; only of tours that take steps
   /// apart.
   void (*knows)(const Frame& frame, KnownFacts& facts) = nullptr;
   /// The place in the lesson of a frame that asks nothing: "iteration 2 of 4 · support".
@@ -103,10 +104,10 @@ struct Act {
   void (*question)(const Story& story, FrameText& text) = nullptr;
   /// The values that prose can name and the sidecar file lists; nullptr: those of a run of GJK.
   void (*values)(const Story& story, FrameText& text) = nullptr;
-  /// Only of an act whose views show runs of their own. `view` counts the lesson's views.
+  /// Only of a tour whose views show runs of their own. `view` counts the lesson's views.
   FrameInView (*in_view)(const LessonRun& run, EffectGraph& effects, const Frame& frame,
                          std::size_t view) = nullptr;
-  /// Draws a view all by itself; false where layers do. Only of an act with a plot.
+  /// Draws a view all by itself; false where layers do. Only of a tour with a plot.
   bool (*fill)(SceneBuilder& scene, const Fonts& fonts) = nullptr;
   /// The title of a plot that the lesson does not name.
   std::string (*plot_title)(const LessonRun& run) = nullptr;
@@ -118,7 +119,7 @@ struct Act {
 /// A panel block, a listing or an effect.
 struct Term {
   std::string_view name;
-  std::string_view act = {};    ///< The act that it goes with; empty: any.
+  std::string_view tour = {};   ///< The tour that it goes with; empty: any.
   std::string_view table = {};  ///< The table that it shows; empty: none.
   bool takes_listing = false;   ///< A block that shows `panel.listing`.
   /// It needs every pair of a vertex of X and one of Y: more than limits::kDifferences are refused.
@@ -127,29 +128,29 @@ struct Term {
 };
 
 struct Vocabulary {
-  std::vector<const Act*> acts;
-  std::vector<const Act*> plots;  ///< Those that fill a view with a plot, called like the act.
+  std::vector<const Tour*> tours;
+  std::vector<const Tour*> plots;  ///< Those that fill a view with a plot, called like the tour.
   std::vector<Term> blocks;
   std::vector<Term> listings;
   std::vector<Term> effects;    ///< Those that views can call for.
-  std::vector<LessonKey> keys;  ///< All that a file may have: lesson_keys(acts).
+  std::vector<LessonKey> keys;  ///< All that a file may have: lesson_keys(tours).
 
   /// nullptr when there is none of this name.
-  [[nodiscard]] const Act* act(std::string_view name) const;
+  [[nodiscard]] const Tour* tour(std::string_view name) const;
 };
 
 /// Whether the lesson has the table of this name, or the name is empty.
-[[nodiscard]] bool has_table(const Lesson& lesson, std::string_view name);
+[[nodiscard]] bool has_settings(const Lesson& lesson, std::string_view name);
 
 /// nullptr when there is none of this name.
 [[nodiscard]] const Term* find_term(const std::vector<Term>& terms, std::string_view name);
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Term>& terms);
-[[nodiscard]] std::vector<std::string> names_of(const std::vector<const Act*>& acts);
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<const Tour*>& tours);
 
-/// The tables that acts take, each once.
-[[nodiscard]] std::vector<const TableKind*> tables_of(const std::vector<const Act*>& acts);
-/// The acts that take this table.
-[[nodiscard]] std::vector<const Act*> acts_with(const std::vector<const Act*>& acts,
-                                                const TableKind& table);
+/// The kinds of settings that tours take, each once.
+[[nodiscard]] std::vector<const SettingsKind*> settings_of(const std::vector<const Tour*>& tours);
+/// The tours that take settings of this kind.
+[[nodiscard]] std::vector<const Tour*> tours_with(const std::vector<const Tour*>& tours,
+                                                  const SettingsKind& kind);
 
 }  // namespace gjkscope

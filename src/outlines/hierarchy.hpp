@@ -67,7 +67,7 @@ struct Box {
 }
 
 struct Circle {
-  Point centre = Point::Zero();
+  Point center = Point::Zero();
   double radius = 0.0;
   [[nodiscard]] double size() const { return radius; }
 };
@@ -77,14 +77,14 @@ struct Circle {
   for (const Item& item : items) box = box_around(box, box_around({item.a, item.b}));
   Circle circle = {0.5 * box.low + 0.5 * box.high};
   for (const Item& item : items) {
-    const double reach = std::max(detail::length_above(item.a - circle.centre),
-                                  detail::length_above(item.b - circle.centre));
+    const double reach = std::max(detail::length_above(item.a - circle.center),
+                                  detail::length_above(item.b - circle.center));
     circle.radius = std::max(circle.radius, (reach + item.radius) * (1.0 + detail::kRoundoff));
   }
   return circle;
 }
 [[nodiscard]] inline double distance_below(const Circle& a, const Circle& b) {
-  const double between = detail::length_below(a.centre - b.centre);
+  const double between = detail::length_below(a.center - b.center);
   const double radii = (a.radius + b.radius) * (1.0 + 2.0 * detail::kRoundoff);
   return std::max(0.0, (between - radii) * (1.0 - 2.0 * detail::kRoundoff));
 }
@@ -181,7 +181,7 @@ class Builder {
   return from.x() <= box.high.x() && box.low.y() <= from.y() && from.y() <= box.high.y();
 }
 [[nodiscard]] inline bool ray_meets(const Point& from, const Circle& circle) {
-  const Point way = (1.0 - 4.0 * kRoundoff) * (from - circle.centre);
+  const Point way = (1.0 - 4.0 * kRoundoff) * (from - circle.center);
   return way.x() <= circle.radius && std::abs(way.y()) <= circle.radius;
 }
 

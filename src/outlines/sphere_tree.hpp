@@ -24,8 +24,8 @@ namespace models {
     const double reach = (0.5 * length / count) * (1.0 + 4.0 * detail::kRoundoff) + rounding;
     for (int k = 0; k < count; ++k) {
       const double share = (k + 0.5) / count;
-      const Point centre = (1.0 - share) * s.a + share * s.b;
-      tiles.push_back({centre, centre, reach, static_cast<int>(i)});
+      const Point center = (1.0 - share) * s.a + share * s.b;
+      tiles.push_back({center, center, reach, static_cast<int>(i)});
     }
   }
   return tiles;

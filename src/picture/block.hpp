@@ -15,7 +15,7 @@ struct Block {
   std::string_view name;     ///< By which lessons call for it.
   std::string_view meaning;  ///< The content of the block, in words.
   void (*write)(PanelBuilder& panel) = nullptr;
-  std::string_view act = {};    ///< The act that it goes with; empty: any.
+  std::string_view tour = {};   ///< The tour that it goes with; empty: any.
   std::string_view table = {};  ///< The table that it shows; empty: none.
   bool takes_listing = false;
   ShownOf shown_of = ShownOf::plane;
@@ -26,7 +26,7 @@ struct Listing {
   std::string_view name;
   std::string_view meaning;  ///< The algorithm that it is one of.
   void (*write)(PanelBuilder& panel) = nullptr;
-  std::string_view act = {};  ///< The act that it goes with; empty: any.
+  std::string_view tour = {};  ///< The tour that it goes with; empty: any.
   ShownOf shown_of = ShownOf::plane;
 };
 

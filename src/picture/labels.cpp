@@ -225,7 +225,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   // place for one frame must avoid the lines of that frame.
   const bool in_frame = !fixed || moves;
   const bool minds_passing = in_frame || !request.steps_aside;
-  const auto centre = [&](const Kept& place) -> Point {
+  const auto center = [&](const Kept& place) -> Point {
     return request.anchor + place.beside + 0.5 * place.face.cwiseProduct(size);
   };
   const auto is_cut_off = [&](const Point& middle) {
@@ -237,7 +237,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
                               [&](const auto& item) { return cross(visible, item.shape); });
   };
   if (fixed && moves && !request.steps_aside) {
-    const Rect box = box_around(centre(known->second), size);
+    const Rect box = box_around(center(known->second), size);
     taken_.push_back(box);
     return mark_of(request, box);
   }
@@ -246,7 +246,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   Kept best;
   const auto consider = [&](const Kept& place, double extra) {
     if (extra >= best_cost) return;
-    const Rect box = box_around(centre(place), size);
+    const Rect box = box_around(center(place), size);
     const Cover cover = cover_of(box, best_cost);
     if (extra + cover.cost >= best_cost) return;
     const double cost = extra + cover.cost + (in_frame ? cost_of_neighbours(box, request) : 0.0) +
@@ -291,7 +291,7 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
   for (const Point& anchor : request.other_anchors) consider_beside(anchor, extra += kOtherAnchor);
   // A label with a place for all frames steps aside for a frame, and then is back.
   if (!fixed || !moves) places_[request.id] = best;
-  const Rect box = box_around(centre(best), size);
+  const Rect box = box_around(center(best), size);
   taken_.push_back(box);
   return mark_of(request, box);
 }

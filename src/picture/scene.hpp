@@ -24,7 +24,7 @@ class StageMap {
   /// precision, and what is out there is seen only as a line's direction.
   static constexpr double kFarthest = 1e7;
 
-  /// Shows `camera.height` units over the height of `area`, centred. Who cuts off what lies outside
+  /// Shows `camera.height` units over the height of `area`, centerd. Who cuts off what lies outside
   /// may do without a `farthest`.
   StageMap(const Rect& area, const Camera& camera, double farthest = kFarthest)
       : area_(area), camera_(camera), farthest_(farthest) {
@@ -219,7 +219,7 @@ struct SceneBuilder {
 
   [[nodiscard]] bool shows(std::string_view effect) const { return view.calls_for(effect); }
   /// Elsewhere frames are about the vertices that P needs.
-  [[nodiscard]] bool shows_whole_simplex() const { return run.act->follows_run; }
+  [[nodiscard]] bool shows_whole_simplex() const { return run.tour->follows_run; }
 
   const LessonRun& run;
   EffectGraph& effects;

@@ -109,8 +109,8 @@ constexpr Kind in_difference(Kind kind) {
   kind.view = ViewKind::difference;
   return kind;
 }
-constexpr Kind of_act(std::string_view act, int at, Kind kind) {
-  kind.act = act;
+constexpr Kind of_tour(std::string_view tour, int at, Kind kind) {
+  kind.tour = tour;
   kind.at = at;
   return kind;
 }
@@ -146,21 +146,21 @@ constexpr std::array kKinds = {
     Kind{4, "support point of the difference", draw_pair, 1, kSupport, is_any},
     in_difference({4, "region of a difference", draw_pair, 3, kRegion, is_pair}),
     in_difference({4, "region of an edge of differences", draw_pair, 3, kRegion, is_pair_edge}),
-    of_act("guess", 1, {4, "a vertex of X is closest", draw_pair, 1, kClosest, has_letters<1>}),
-    of_act("guess", 1, {4, "an edge of X is closest", draw_pair, 1, kClosest, has_letters<2>}),
+    of_tour("guess", 1, {4, "a vertex of X is closest", draw_pair, 1, kClosest, has_letters<1>}),
+    of_tour("guess", 1, {4, "an edge of X is closest", draw_pair, 1, kClosest, has_letters<2>}),
     whole_run({4, "a run of 2 iterations", draw_pair, 1, kSupport, is_run_of<2>}),
     whole_run({4, "a run of 3 iterations", draw_pair, 1, kSupport, is_run_of<3>}),
     whole_run({4, "shapes that overlap", draw_pair, 1, kSupport, is_overlap}),
     tie(whole_run(
         {4, "shapes with a vertex in one place", draw_touching, 1, kSupport, is_touching})),
 
-    of_act(kSum, 2, {5, "an edge of Y comes next", draw_pair, 0, kNextEdge, is_of_y}),
-    of_act(kSum, 2, {5, "an edge of −X comes next", draw_pair, 0, kNextEdge, is_of_x}),
-    tie(of_act(kSum, 2, {5, "parallel edges", draw_parallel, 0, kNextEdge, is_both})),
+    of_tour(kSum, 2, {5, "an edge of Y comes next", draw_pair, 0, kNextEdge, is_of_y}),
+    of_tour(kSum, 2, {5, "an edge of −X comes next", draw_pair, 0, kNextEdge, is_of_x}),
+    tie(of_tour(kSum, 2, {5, "parallel edges", draw_parallel, 0, kNextEdge, is_both})),
     in_difference(
-        of_act("depth", 1, {5, "nearest edge at first", draw_pair, 1, kNearestEdge, is_any})),
+        of_tour("depth", 1, {5, "nearest edge at first", draw_pair, 1, kNearestEdge, is_any})),
     in_difference(
-        of_act("depth", 2, {5, "nearest edge after a step", draw_pair, 1, kNearestEdge, is_any})),
+        of_tour("depth", 2, {5, "nearest edge after a step", draw_pair, 1, kNearestEdge, is_any})),
 
     Kind{9, "region of a vertex", draw_tetrahedron, 4, kRegion, has_letters<1>},
     Kind{9, "region of an edge", draw_tetrahedron, 4, kRegion, has_letters<2>},
@@ -194,8 +194,8 @@ Lesson frame_of(const Kind& kind) {
       kind.draw == draw_tetrahedron || kind.draw == draw_on_face || kind.draw == draw_polyhedron
           ? 3
           : 2;
-  lesson.act = kind.act;
-  if (kind.act == "phase" && kind.on_paper != OnPaper::run) lesson.until = answering_phase(kind);
+  lesson.tour = kind.tour;
+  if (kind.tour == "phase" && kind.on_paper != OnPaper::run) lesson.until = answering_phase(kind);
   LessonView view{.kind = kind.view, .title = {}, .camera = {}};
   if (lesson.dimension == 3) {
     view.eye = Eye{.azimuth = 24.0, .elevation = 24.0};
@@ -392,7 +392,7 @@ std::vector<std::string> given_in(const Kind& kind, const LessonRun& run, const 
       given.push_back(shape.vertex_names[i] + " " + place(shape.vertices[i], lesson.dimension));
   }
   const bool is_simplex = is_query && kind.start == static_cast<int>(lesson.y().vertices.size());
-  if (kind.act != "phase" || is_simplex) return given;
+  if (kind.tour != "phase" || is_simplex) return given;
   const WideTrace& trace = trace_of(run);
   const bool is_from_start = kind.on_paper == OnPaper::run || kind.ask == kStop;
   const WideState& before =

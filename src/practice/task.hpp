@@ -26,11 +26,11 @@ struct Kind {
   std::string_view name;                                 ///< "region of an edge"
   void (*draw)(Draws& draws, Lesson& lesson) = nullptr;  ///< Shapes, of this kind or not.
   int start = 1;                                         ///< Vertices of the first simplex.
-  std::string_view ask;                                  ///< A question of the act.
+  std::string_view ask;                                  ///< A question of the tour.
   bool (*wanted)(const LessonRun& run, const std::string& answer) = nullptr;
   OnPaper on_paper = OnPaper::choice;
   bool is_tie = false;  ///< The decision is a tie, exactly. In all other kinds it is not near one.
-  std::string_view act = "phase";
+  std::string_view tour = "phase";
   ViewKind view = ViewKind::world;
   int at = 1;  ///< As LessonQuestion::at. Of a whole run each iteration is asked about.
 };

@@ -14,7 +14,7 @@ struct EffectInfo {
   std::string_view summary;     ///< One line for `gjkscope explain`.
   std::string_view used_by;     ///< "view": a lesson's views call for it by name; "panel": a panel
                                 ///< block does; "frame": any part of a frame may.
-  std::string_view act = {};    ///< The act that it goes with; empty: any.
+  std::string_view tour = {};   ///< The tour that it goes with; empty: any.
   std::string_view table = {};  ///< The table that it shows; empty: none.
   ShownOf shown_of = ShownOf::plane;
 };
@@ -22,9 +22,9 @@ struct EffectInfo {
 /// The entry of the effect E (run/graph.hpp).
 template <class E>
 [[nodiscard]] constexpr EffectInfo effect_info(std::string_view used_by, std::string_view summary,
-                                               std::string_view act = {},
+                                               std::string_view tour = {},
                                                std::string_view table = {}) {
-  return {E::kName, E::kNeeds, summary, used_by, act, table};
+  return {E::kName, E::kNeeds, summary, used_by, tour, table};
 }
 
 /// The entry, of an effect that shapes in space have, too, or alone.

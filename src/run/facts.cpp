@@ -30,7 +30,7 @@ FrameFacts::Value FrameFacts::compute(EffectGraph&, const LessonRun& run, const 
   facts.whole_support = facts.support;
   facts.has_ended = step.after.stop != gjk::StopReason::running;
   facts.distance = facts.has_ended;
-  if (frame.part >= 0 && run.act->knows != nullptr) run.act->knows(frame, facts);
+  if (frame.part >= 0 && run.tour->knows != nullptr) run.tour->knows(frame, facts);
   facts.is_at_query = facts.closest_point && step.after.p_sq == 0.0;
   facts.direction = facts.phase_is(Phase::direction) || facts.support;
   facts.support_calls = static_cast<int>(

@@ -25,8 +25,8 @@ struct KnownFacts {
   [[nodiscard]] bool phase_is(gjk::Phase of) const { return phase == of; }
 };
 
-/// The same facts as a derived value; an act that takes steps apart says what its parts know
-/// (Act::knows).
+/// The same facts as a derived value; a tour that takes steps apart says what its parts know
+/// (Tour::knows).
 struct FrameFacts {
   static constexpr std::string_view kName = "facts";
   static constexpr std::string_view kNeeds = "";

@@ -134,13 +134,13 @@ void add_question_frames(LessonRun& run) {
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     for (int q = 0; i > 0 && q < static_cast<int>(questions.size()); ++q) {
       const bool is_elsewhere = run.frames[i - 1].run != run.frames[i].run;
-      if (is_elsewhere && !run.act->sweeps && run.act->asking == nullptr) continue;
+      if (is_elsewhere && !run.tour->sweeps && run.tour->asking == nullptr) continue;
       const int answer =
-          run.act->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
+          run.tour->answering_step(run, run.frames[i - 1], run.frames[i], questions[q]);
       if (answer < 0) continue;
       Frame asked = run.frames[i];
       asked.question = q;
-      frames.push_back(run.act->asking ? run.act->asking(run, asked) : run.frames[i - 1]);
+      frames.push_back(run.tour->asking ? run.tour->asking(run, asked) : run.frames[i - 1]);
       frames.back().question = q;
       frames.back().answering_step = answer;
     }
@@ -162,7 +162,7 @@ std::vector<Problem> unasked_questions(const LessonRun& run) {
         {lesson.path, place.line, place.column,
          fmt::format("no frame asks '{}'{}", question.ask,
                      question.at
-                         ? fmt::format(" {} {}", run.act->ask(question.ask)->counted, *question.at)
+                         ? fmt::format(" {} {}", run.tour->ask(question.ask)->counted, *question.at)
                          : std::string()),
          "a question with more than one answer to choose from, which a frame answers", ""});
   }

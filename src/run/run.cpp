@@ -223,7 +223,7 @@ std::string why_not_drawn(const PositionedRun& run) {
 }
 
 int LessonRun::gjk_step(const Frame& frame) const {
-  return act->algorithm == &kGjkAlgorithm ? frame.step : last_step(lesson, run(frame).trace);
+  return tour->algorithm == &kGjkAlgorithm ? frame.step : last_step(lesson, run(frame).trace);
 }
 
 const WideState& LessonRun::state(const Frame& frame) const {
@@ -277,22 +277,22 @@ PositionedRun run_case(const CaseIn<D>& shapes, ScalarKind scalar) {
 template PositionedRun run_case(const CaseIn<2>& shapes, ScalarKind scalar);
 template PositionedRun run_case(const CaseIn<3>& shapes, ScalarKind scalar);
 
-LessonRun run_lesson(Lesson lesson, const Act& act) {
+LessonRun run_lesson(Lesson lesson, const Tour& tour) {
   LessonRun run;
   run.lesson = std::move(lesson);
-  run.act = &act;
+  run.tour = &tour;
   for (const Position& position : positions_of(run.lesson)) {
     const bool is_warm = run.lesson.warm_start && !run.runs.empty();
     const gjk::Options& cold = run.lesson.options;
     run.runs.push_back(
-        act.algorithm->takes_outlines
+        tour.algorithm->takes_outlines
             ? standing_at(run.lesson, position)
             : run_at(run.lesson, position, is_warm ? warm(cold, run.runs.back().trace) : cold));
     const AlgorithmTrace* before =
         run.algorithm_traces.empty() ? nullptr : run.algorithm_traces.back().get();
-    run.algorithm_traces.push_back(act.algorithm->run(run.lesson, run.runs.back(), before));
+    run.algorithm_traces.push_back(tour.algorithm->run(run.lesson, run.runs.back(), before));
   }
-  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) act.add_frames(run, i);
+  for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) tour.add_frames(run, i);
   add_question_frames(run);
   return run;
 }

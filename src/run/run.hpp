@@ -1,5 +1,5 @@
 #pragma once
-// A lesson, run: one traced run for each position of X, and the frames that the lesson's act makes
+// A lesson, run: one traced run for each position of X, and the frames that the lesson's tour makes
 // of them.
 
 #include <functional>
@@ -65,13 +65,13 @@ struct PositionedRun {
 /// number, or its lengths are not in the world's unit. Empty for all others.
 [[nodiscard]] std::string why_not_drawn(const PositionedRun& run);
 
-struct Act;
+struct Tour;
 
 struct LessonRun {
   Lesson lesson;
-  const Act* act = nullptr;  ///< The act named by Lesson::act (lesson/vocabulary.hpp).
+  const Tour* tour = nullptr;  ///< The tour named by Lesson::tour (lesson/vocabulary.hpp).
   std::vector<PositionedRun> runs;
-  /// The trace of the act's algorithm in each run.
+  /// The trace of the tour's algorithm in each run.
   std::vector<std::shared_ptr<const AlgorithmTrace>> algorithm_traces;
   std::vector<Frame> frames;
 
@@ -85,7 +85,7 @@ struct LessonRun {
   [[nodiscard]] const WideStep& step(const Frame& frame) const;
   [[nodiscard]] const DistanceBounds& bounds(const Frame& frame) const;
 
-  /// The trace of the act's algorithm in the run of a frame.
+  /// The trace of the tour's algorithm in the run of a frame.
   [[nodiscard]] const AlgorithmTrace& algorithm_trace(const Frame& frame) const {
     return *algorithm_traces[frame.run];
   }
@@ -94,7 +94,7 @@ struct LessonRun {
   [[nodiscard]] const LessonQuestion& asked(const Frame& frame) const {
     return lesson.questions[frame.question];
   }
-  /// The step of a frame in the algorithm that the act shows.
+  /// The step of a frame in the algorithm that the tour shows.
   [[nodiscard]] StepInfo info(const Frame& frame) const;
   /// The iteration of the step that answers a frame's question.
   [[nodiscard]] int answering_iteration(const Frame& frame) const;
@@ -105,8 +105,8 @@ struct LessonRun {
   [[nodiscard]] bool point_query() const { return lesson.x().vertices.size() == 1; }
 };
 
-/// `act` is the one that the lesson names; it must outlive the run.
-[[nodiscard]] LessonRun run_lesson(Lesson lesson, const Act& act);
+/// `tour` is the one that the lesson names; it must outlive the run.
+[[nodiscard]] LessonRun run_lesson(Lesson lesson, const Tour& tour);
 
 /// Index of the last step that frames of a run may show: the first of Lesson::until, else the last
 /// of all. -1 where GJK refused the run.

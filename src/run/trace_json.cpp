@@ -57,7 +57,7 @@ class TraceWriter {
     out["stop_on_no_progress"] = value.stop_on_no_progress;
     out["tolerance"] = number(value.tolerance);
     out["iteration_cap"] = value.iteration_cap;
-    out["start_rule"] = value.start.count == 0 ? "centre-to-centre" : "given";
+    out["start_rule"] = value.start.count == 0 ? "center-to-center" : "given";
     out["start"] = Json::array();
     const int count = std::clamp(value.start.count, 0, static_cast<int>(value.start.pairs.size()));
     for (int i = 0; i < count; ++i) out["start"].push_back(pair(value.start.pairs[i]));
@@ -242,7 +242,7 @@ class TraceWriter {
     const LessonRun* lesson = traced_.lesson_run;
     if (lesson == nullptr) return;
     Json own = lesson->algorithm_traces[index]->json(lesson->lesson, lesson->runs[index]);
-    if (!own.is_null()) out[std::string(lesson->act->algorithm->name)] = std::move(own);
+    if (!own.is_null()) out[std::string(lesson->tour->algorithm->name)] = std::move(own);
   }
 
   const Traced& traced_;

@@ -180,7 +180,7 @@ std::string head(const Json& document) {
 std::string trace_text(const Traced& traced) {
   const Json document = trace_document(traced);
   const Algorithm* algorithm =
-      traced.lesson_run == nullptr ? nullptr : traced.lesson_run->act->algorithm;
+      traced.lesson_run == nullptr ? nullptr : traced.lesson_run->tour->algorithm;
   std::string out = head(document);
   for (std::size_t i = 0; i < traced.runs.size(); ++i) {
     const Json& run = document["runs"][i];

@@ -243,19 +243,19 @@ std::optional<NearestEdge> nearest_edge(const std::vector<Vector2d>& vertices,
 
 namespace {
 
-/// In space a table or a path that an act cannot do without, and the start that it needs, would be
+/// In space a table or a path that a tour cannot do without, and the start that it needs, would be
 /// gone.
-bool shows_act(const Lesson& lesson) {
-  const ActNeeds& needs = vocabulary().act(lesson.act)->needs;
+bool shows_tour(const Lesson& lesson) {
+  const TourNeeds& needs = vocabulary().tour(lesson.tour)->needs;
   const bool has_needs = !needs.required_tables().empty() || needs.start > 0;
   return is_shown_of(needs.shown_of, lesson.dimension) && (lesson.dimension == 2 || !has_needs);
 }
 
 /// Takes away what cannot be shown of shapes of the lesson's dimension.
 void keep_what_is_shown(Lesson& lesson) {
-  if (!shows_act(lesson)) {
-    lesson.act = Lesson().act;
-    lesson.table = {};
+  if (!shows_tour(lesson)) {
+    lesson.tour = Lesson().tour;
+    lesson.settings = {};
     lesson.phases.clear();
     lesson.until.reset();
   }
@@ -287,7 +287,7 @@ Lesson with_shapes(Lesson lesson, const CaseIn<D>& shapes) {
   lesson.expect.stop =
       name_of(gjk::StopReason::repeated_support);  // saving writes what it comes to
   lesson.dimension = plain.dimension;
-  if (D == 3 || !shows_act(lesson)) keep_what_is_shown(lesson);
+  if (D == 3 || !shows_tour(lesson)) keep_what_is_shown(lesson);
   for (LessonView& view : lesson.views) {
     std::erase_if(view.effects, [](const std::string& name) {
       return !is_shown_of(find_term(vocabulary().effects, name)->shown_of, D);
@@ -317,26 +317,26 @@ Lesson with_shapes(Lesson lesson, const ReadCase& read) {
                        : with_shapes(std::move(lesson), *read.value);
 }
 
-Lesson with_act(Lesson lesson, const Algorithm& algorithm) {
-  const std::span<const Act* const> acts = registered_acts();
-  const Act& act = **std::find_if(acts.begin(), acts.end(),
-                                  [&](const Act* each) { return each->algorithm == &algorithm; });
-  lesson.act = act.name;
+Lesson with_tour(Lesson lesson, const Algorithm& algorithm) {
+  const std::span<const Tour* const> tours = registered_tours();
+  const Tour& tour = **std::find_if(
+      tours.begin(), tours.end(), [&](const Tour* each) { return each->algorithm == &algorithm; });
+  lesson.tour = tour.name;
   lesson.panel = {std::string(blocks::kPseudocode.name)};
   for (const Block* block : registered_blocks()) {
-    if (block->act == lesson.act && is_shown_of(block->shown_of, lesson.dimension))
+    if (block->tour == lesson.tour && is_shown_of(block->shown_of, lesson.dimension))
       lesson.panel.emplace_back(block->name);
   }
   for (const Listing* listing : registered_listings()) {
-    if (listing->act == lesson.act) lesson.listing = listing->name;
+    if (listing->tour == lesson.tour) lesson.listing = listing->name;
   }
   lesson.until.reset();
   lesson.phases.clear();
   lesson.questions.clear();
   lesson.expect.answers.clear();
-  lesson.table = {};
+  lesson.settings = {};
   for (LessonShape& shape : lesson.bodies) {
-    if (!act.needs.takes_radius) shape.radius = 0.0;
+    if (!tour.needs.takes_radius) shape.radius = 0.0;
   }
   std::erase_if(lesson.views, [](const LessonView& view) { return !shows_shapes(view.kind); });
   if (lesson.views.empty())
@@ -344,7 +344,7 @@ Lesson with_act(Lesson lesson, const Algorithm& algorithm) {
   for (LessonView& view : lesson.views) {
     std::erase_if(view.effects, [](const std::string& name) {
       const Term* effect = find_term(vocabulary().effects, name);
-      return effect == nullptr || !effect->act.empty() || !effect->table.empty();
+      return effect == nullptr || !effect->tour.empty() || !effect->table.empty();
     });
   }
   return lesson;
@@ -354,8 +354,8 @@ Lesson with_second_run(Lesson lesson, std::optional<ScalarKind> beside) {
   const bool has_listing = lesson.has_block(blocks::kPseudocode.name);
   const std::string block(blocks::kTwoRuns.name);
   const std::string effect(SecondRun::kName);
-  lesson.table = {};
-  if (beside) lesson.table = ActTable(LessonSecond{.scalar = beside});
+  lesson.settings = {};
+  if (beside) lesson.settings = TourSettings(LessonSecond{.scalar = beside});
   std::erase(lesson.panel, block);
   if (beside) lesson.panel = {block};
   if (beside && has_listing) lesson.panel.emplace(lesson.panel.begin(), blocks::kPseudocode.name);

@@ -65,8 +65,8 @@ template <int D>
 /// The shapes of a case that was read, without problems and without outlines.
 [[nodiscard]] Lesson with_shapes(Lesson lesson, const ReadCase& read);
 
-/// The same shapes with the act of an algorithm that follows GJK.
-[[nodiscard]] Lesson with_act(Lesson lesson, const Algorithm& algorithm);
+/// The same shapes with the tour of an algorithm that follows GJK.
+[[nodiscard]] Lesson with_tour(Lesson lesson, const Algorithm& algorithm);
 
 /// The lesson with a second run in another scalar beside its own, on the stage and in the panel;
 /// without a scalar, with none. Of the panel's blocks the listing stays: there is no room for more.

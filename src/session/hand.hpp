@@ -37,7 +37,7 @@ class Hand {
   // Places
 
   [[nodiscard]] std::optional<std::size_t> view_at(const Point& page) const;
-  /// In space the place under `page` in the plane through the camera's centre that faces the eye.
+  /// In space the place under `page` in the plane through the camera's center that faces the eye.
   [[nodiscard]] Eigen::Vector3d to_view(std::size_t view, const Point& page) const;
   [[nodiscard]] Subject subject_at(const Point& page, double slack = kSlack) const;
   /// The vertex whose name appears: what is pointed at, or else what is near.

@@ -447,7 +447,7 @@ bool Session::restore(std::vector<KeptLesson> past, KeptLesson now,
 Lesson Session::to_run(Lesson lesson) const {
   if (predicting_) {
     lesson.questions.clear();
-    for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)
+    for (const AskInfo& ask : vocabulary().tour(lesson.tour)->asks)
       lesson.questions.push_back({std::string(ask.name), {}});
   } else if (!asking_) {
     lesson.questions.clear();
@@ -514,7 +514,7 @@ const Frame& Session::frame() const { return shown_->run.frames[index_]; }
 EffectGraph& Session::effects() { return shown_->effects; }
 
 std::vector<Session::Moment> Session::moments() const {
-  const std::span<const std::string_view> phases = run().act->algorithm->phases;
+  const std::span<const std::string_view> phases = run().tour->algorithm->phases;
   std::map<std::tuple<int, int, int>, int> steps;  // of a phase in an iteration, so far
   std::vector<Moment> list;
   for (const Frame& frame : run().frames) {
@@ -523,7 +523,7 @@ std::vector<Session::Moment> Session::moments() const {
     Moment& now = list.emplace_back(Moment{frame.run, info.iteration, -1, frame.part});
     if (info.phase != "start") now.phase = static_cast<int>(phase - phases.begin());
     // Another run comes there in another number of steps.
-    if (run().act->algorithm != &kGjkAlgorithm)
+    if (run().tour->algorithm != &kGjkAlgorithm)
       now.part = steps[{now.run, now.iteration, now.phase}]++;
   }
   return list;
@@ -584,7 +584,7 @@ bool Session::go_to_next(std::string_view phase) {
 }
 
 std::optional<int> Session::next(Event event) const {
-  if (event != Event::run_ends && run().act->algorithm != &kGjkAlgorithm) return std::nullopt;
+  if (event != Event::run_ends && run().tour->algorithm != &kGjkAlgorithm) return std::nullopt;
   const std::vector<Frame>& frames = run().frames;
   const WideSimplex& now = run().state(frame()).simplex;
   const auto is_another = [&](const WideSimplex& later) {

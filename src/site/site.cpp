@@ -237,7 +237,7 @@ class SiteWriter {
     const std::map<int, std::string> chapters =
         parse_chapters(read_whole(assets_ / "chapters.toml"), "assets/chapters.toml");
     const auto map = std::find_if(lessons.begin(), lessons.end(),
-                                  [](const Lesson& lesson) { return lesson.act == "course-map"; });
+                                  [](const Lesson& lesson) { return lesson.tour == "course-map"; });
     std::string list;
     int chapter = -1;  // of the lesson before; none
     for (const Lesson& lesson : lessons) {
@@ -505,7 +505,7 @@ class SiteWriter {
 
   [[nodiscard]] Json page_data(const Lesson& lesson, const std::string& kind) const {
     Json files = Json::object();
-    if (const auto& file = lesson.table.file)
+    if (const auto& file = lesson.settings.file)
       files[fs::path(file->path).filename().string()] = packed(*file->text);
     return {{"kind", kind},
             {"id", lesson.id},
@@ -519,7 +519,7 @@ class SiteWriter {
   /// Whether the run of the lesson has a step that a question can ask for.
   [[nodiscard]] static bool asks(Lesson lesson) {
     lesson.questions.clear();
-    for (const AskInfo& ask : vocabulary().act(lesson.act)->asks)
+    for (const AskInfo& ask : vocabulary().tour(lesson.tour)->asks)
       lesson.questions.push_back({std::string(ask.name), {}});
     const LessonRun run = run_lesson(std::move(lesson));
     return std::any_of(run.frames.begin(), run.frames.end(),
@@ -541,7 +541,7 @@ class SiteWriter {
       return answer;
     };
     Json open = {{"do", "open"}, {"lesson", data["lesson"]}, {"name", data["name"]}};
-    if (const auto& file = lesson.table.file)
+    if (const auto& file = lesson.settings.file)
       open["files"][fs::path(file->path).filename().string()] = *file->text;
     const bool is_playground = data["kind"] == "playground";
     const bool is_practice = data["kind"] == "practice";

@@ -91,7 +91,7 @@ std::string_view axis_of(const Configuration& configuration) {
   if (options.iteration_cap != gjk::kDefaultIterationCap) return "cap";
   if (!has_all_stops(options)) return "stop rule";
   if (has_other_rules(options)) return "direction and regions";
-  if (configuration.start != Start::centres) return "start";
+  if (configuration.start != Start::centers) return "start";
   return options.proof == gjk::Proof::exact ? "arithmetic" : "proof";
 }
 

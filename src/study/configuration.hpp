@@ -25,14 +25,14 @@ enum class Arithmetic : std::uint8_t {
 };
 
 enum class Start : std::uint8_t {
-  centres,         ///< The support point along the line between the centres.
+  centers,         ///< The support point along the line between the centers.
   first_vertices,  ///< Vertex 0 of each shape.
   warm,            ///< The simplex that the pair before ended with.
 };
 
 struct Configuration {
   Arithmetic arithmetic = Arithmetic::double_;
-  Start start = Start::centres;
+  Start start = Start::centers;
   gjk::Options options = {};  ///< Its own start is not read: `start` says where a run begins.
 };
 [[nodiscard]] Configuration configuration(Arithmetic arithmetic,

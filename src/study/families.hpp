@@ -122,7 +122,7 @@ class Source {
   using Turn = Eigen::Matrix<double, D, D>;
 
   static constexpr double kNoGrid = 0x1p-60;
-  /// How far centres are from each other, at most, along each axis: some shapes overlap.
+  /// How far centers are from each other, at most, along each axis: some shapes overlap.
   template <int D>
   static constexpr double kSpread = D == 2 ? 2.5 : 1.0;
 
@@ -302,12 +302,12 @@ class Source {
   template <int D>
   struct Placed {
     int count;
-    Point<D> centre;
+    Point<D> center;
   };
   template <int D>
   [[nodiscard]] Points<D> shape_at(const Placed<D>& placed) {
     Points<D> vertices = shape<D>(placed.count);
-    move<D>(vertices, placed.centre);
+    move<D>(vertices, placed.center);
     return vertices;
   }
 

@@ -117,18 +117,19 @@ bool measure(GrowthTimes& times, int segments, int seed, int turns,
 
 std::vector<ModelTimes> model_times(const Lesson& lesson, int turns,
                                     const std::function<bool()>& go_on) {
-  if (lesson.act != "general-growth") return {};
+  if (lesson.tour != "general-growth") return {};
   const study::Machine machine = study::this_machine();
-  ModelTimes out{lesson.id, lesson.table.as<LessonGrowth>()->vertices, {}};
+  ModelTimes out{lesson.id, lesson.settings.as<LessonGrowth>()->vertices, {}};
   out.times.machine = fmt::format("{}, {}", machine.processor, machine.compiler);
   for (const int size : out.sizes) {
-    if (!measure(out.times, size, lesson.table.as<LessonGrowth>()->seed, turns, go_on)) return {};
+    if (!measure(out.times, size, lesson.settings.as<LessonGrowth>()->seed, turns, go_on))
+      return {};
   }
   return {std::move(out)};
 }
 
 std::string model_times_table(const std::vector<ModelTimes>& all) {
-  if (all.empty()) return "Nothing was measured: no lesson has the granularity general-growth.\n";
+  if (all.empty()) return "Nothing was measured: no lesson has the tour general-growth.\n";
   std::string out;
   for (const ModelTimes& each : all) {
     out += fmt::format("{}, on {}\n  {:>9}", each.lesson, each.times.machine, "segments");

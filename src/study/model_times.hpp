@@ -1,5 +1,5 @@
 #pragma once
-// How long methods for general models take, on the outlines that lessons of the granularity
+// How long methods for general models take, on the outlines that lessons of the tour
 // `general-growth` count visits of.
 
 #include <functional>
@@ -18,7 +18,7 @@ struct ModelTimes {
   GrowthTimes times;  ///< Medians, of processor time.
 };
 
-/// One entry; none for a lesson of another granularity, or if `go_on` said no. Comparing all pairs
+/// One entry; none for a lesson of another tour, or if `go_on` said no. Comparing all pairs
 /// of large outlines would take minutes: only a share of X's segments is compared, and the time is
 /// multiplied.
 [[nodiscard]] std::vector<ModelTimes> model_times(

@@ -49,7 +49,7 @@ template <class S>
   }
 }
 
-/// How often a run looked for a support point, counted from above: the start between the centres is
+/// How often a run looked for a support point, counted from above: the start between the centers is
 /// one search, and each iteration has one unless the run is known to have ended before it.
 template <class Result>
 [[nodiscard]] int support_queries(const Result& result, const gjk::Options& options) {

@@ -20,24 +20,24 @@ std::vector<const T*> all(std::vector<const T*> SubjectParts::*kind) {
 
 Vocabulary make_vocabulary() {
   Vocabulary out;
-  out.acts = registered_acts();
-  for (const Act* act : out.acts) {
-    if (act->plot_title != nullptr) out.plots.push_back(act);
+  out.tours = registered_tours();
+  for (const Tour* tour : out.tours) {
+    if (tour->plot_title != nullptr) out.plots.push_back(tour);
   }
-  out.keys = lesson_keys(out.acts);
+  out.keys = lesson_keys(out.tours);
   for (const Block* block : registered_blocks())
     out.blocks.push_back({.name = block->name,
-                          .act = block->act,
+                          .tour = block->tour,
                           .table = block->table,
                           .takes_listing = block->takes_listing,
                           .shown_of = block->shown_of});
   for (const Listing* listing : registered_listings())
     out.listings.push_back(
-        {.name = listing->name, .act = listing->act, .shown_of = listing->shown_of});
+        {.name = listing->name, .tour = listing->tour, .shown_of = listing->shown_of});
   for (const EffectInfo* effect : registered_effects()) {
     if (effect->used_by == "view")
       out.effects.push_back({.name = effect->name,
-                             .act = effect->act,
+                             .tour = effect->tour,
                              .table = effect->table,
                              .pairs_vertices = pulls(*effect, MinkowskiCloud::kName),
                              .shown_of = effect->shown_of});
@@ -56,9 +56,9 @@ const std::vector<const SubjectParts*>& all_subjects() {
   return subjects;
 }
 
-const std::vector<const Act*>& registered_acts() {
-  static const auto acts = all(&SubjectParts::acts);
-  return acts;
+const std::vector<const Tour*>& registered_tours() {
+  static const auto tours = all(&SubjectParts::tours);
+  return tours;
 }
 
 const std::vector<const Block*>& registered_blocks() {
@@ -107,10 +107,10 @@ bool pulls(const EffectInfo& effect, std::string_view name) {
 std::vector<LegendEntry> legend_entries(const LessonRun& run) {
   std::vector<LegendEntry> list = subjects::run.legend;
   for (const SubjectParts* subject : all_subjects()) {
-    const bool has_act =
-        std::find(subject->acts.begin(), subject->acts.end(), run.act) != subject->acts.end();
+    const bool has_tour =
+        std::find(subject->tours.begin(), subject->tours.end(), run.tour) != subject->tours.end();
     const bool is_of_space = subject == &subjects::space && run.lesson.dimension == 3;
-    if (!has_act && !is_of_space) continue;
+    if (!has_tour && !is_of_space) continue;
     // A subject may give a mark of GJK a meaning of its own.
     for (const LegendEntry& entry : subject->legend) {
       const auto own = std::find_if(list.begin(), list.end(), [&](const LegendEntry& other) {
@@ -128,9 +128,9 @@ const Vocabulary& vocabulary() {
 }
 
 LessonRun run_lesson(Lesson lesson) {
-  const Act* act = vocabulary().act(lesson.act);
-  assert(act != nullptr);
-  return run_lesson(std::move(lesson), *act);
+  const Tour* tour = vocabulary().tour(lesson.tour);
+  assert(tour != nullptr);
+  return run_lesson(std::move(lesson), *tour);
 }
 
 }  // namespace gjkscope

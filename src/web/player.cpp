@@ -160,14 +160,14 @@ std::string Player::answer(std::string_view request) {
     if (asked.json.contains("command")) return printed(asked);
     const std::string what = asked.text("do");
     const auto first = before_all.find(what);
-    const auto act = changes.find(what);
+    const auto tour = changes.find(what);
     const auto tell = tells.find(what);
-    if (first == before_all.end() && act == changes.end() && tell == tells.end())
+    if (first == before_all.end() && tour == changes.end() && tell == tells.end())
       throw std::runtime_error(fmt::format("there is no request '{}'", what));
     if (first == before_all.end() && !opened_)
       throw std::runtime_error("no lesson is open; expected the request 'open'");
     if (tell != tells.end()) return tell->second(*this, asked);
-    (first != before_all.end() ? first : act)->second(*this, asked);
+    (first != before_all.end() ? first : tour)->second(*this, asked);
     return shown();
   } catch (const std::exception& error) {
     return dumped({{"problem", error.what()}});
@@ -198,7 +198,7 @@ std::string Player::on_the_way(const Asked& asked) const {
 }
 
 void Player::go_to_phase(int phase) {
-  const std::span<const std::string_view> phases = session_.run().act->algorithm->phases;
+  const std::span<const std::string_view> phases = session_.run().tour->algorithm->phases;
   if (phase < 0 || phase >= static_cast<int>(phases.size())) {
     throw std::runtime_error(
         fmt::format("this run has no phase {}; expected 0 to {}", phase, phases.size() - 1));

@@ -107,7 +107,7 @@ Json outcome(Session& session) {
   const Frame& frame = session.frame();
   if (run.run(frame).trace.is_empty()) {
     Json list = Json::array();
-    for (const std::string_view name : run.act->algorithm->answers)
+    for (const std::string_view name : run.tour->algorithm->answers)
       list.push_back(number(std::string(name), run.algorithm_trace(frame).answer(name)));
     return list;
   }
@@ -146,7 +146,7 @@ Json shape_json(const LessonShape& shape, int dimension) {
 /// The names of shapes that GJK knows by their hulls alone.
 Json not_convex(const LessonRun& run) {
   Json names = Json::array();
-  if (run.act->algorithm->takes_outlines || run.lesson.dimension == 3) return names;
+  if (run.tour->algorithm->takes_outlines || run.lesson.dimension == 3) return names;
   for (const LessonShape* shape : {&run.lesson.x(), &run.lesson.y()}) {
     if (differs_from_hull(in_plane(shape->vertices))) names.push_back(shape->name);
   }

@@ -37,7 +37,7 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) {
   ccdVec3Set(out, world[0], world[1], world[2]);
 }
 
-void centre(const void* object, ccd_vec3_t* out) {
+void center(const void* object, ccd_vec3_t* out) {
   const Point<3>& mean = static_cast<const Solid*>(object)->mean;
   ccdVec3Set(out, mean[0], mean[1], mean[2]);
 }
@@ -51,7 +51,7 @@ std::function<Depth(std::size_t)> prepare(std::span<const Pair<3>> pairs) {
   ccd_t ccd;
   CCD_INIT(&ccd);
   ccd.support1 = ccd.support2 = support;
-  ccd.center1 = ccd.center2 = centre;
+  ccd.center1 = ccd.center2 = center;
   ccd.max_iterations = 1000;
   ccd.epa_tolerance = ccd.mpr_tolerance = ccd.dist_tolerance = 1e-10;
   return [=](std::size_t i) {
@@ -72,7 +72,7 @@ std::vector<DepthLibrary> ccd_depths() {
            prepare<ccdGJKPenetration>},
           {"libccd " PEER_VERSION " MPR",
            "ccdMPRPenetration, tolerances 1e-10; the depth of the portal that the ray from the "
-           "centres meets, which need not be the least",
+           "centers meets, which need not be the least",
            kInDouble, prepare<ccdMPRPenetration>}};
 }
 

@@ -23,7 +23,7 @@ using Pair = families::Pair<double, D>;
 /// How the two shapes, each about 2 across, stand to each other.
 struct Spacing {
   const char* name;
-  double gap;  ///< Their distance; negative: the distance of their centres, which lie inside both.
+  double gap;  ///< Their distance; negative: the distance of their centers, which lie inside both.
 };
 inline constexpr Spacing kSpacings[] = {
     {"separated", 1.0}, {"gap 1e-3", 1e-3}, {"gap 1e-6", 1e-6}, {"overlap", -0.2}};

@@ -49,8 +49,8 @@ void take_turns(std::vector<Timed>& all, int turns) {
   }
 }
 
-Model outline(std::mt19937_64& bits, int segments, const Point& centre) {
-  return models::model_of({general_growth::detail::star(bits, segments, centre)});
+Model outline(std::mt19937_64& bits, int segments, const Point& center) {
+  return models::model_of({general_growth::detail::star(bits, segments, center)});
 }
 
 void check(bool holds, const char* what) {
@@ -120,11 +120,11 @@ void building(int segments) {
   for (Timed& each : all) fmt::print("  {:<48} {:>9.3f} s\n", each.name, each.median());
 }
 
-models::Model regular(int corners, const Point& centre, double turned) {
+models::Model regular(int corners, const Point& center, double turned) {
   models::Outline out;
   for (int i = 0; i < corners; ++i) {
     const double angle = turned + 2.0 * std::numbers::pi * i / corners;
-    out.points.push_back(centre + Point(std::cos(angle), std::sin(angle)));
+    out.points.push_back(center + Point(std::cos(angle), std::sin(angle)));
   }
   return models::model_of({out});
 }

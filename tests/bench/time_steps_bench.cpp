@@ -66,7 +66,7 @@ std::vector<TimeStepCost> beams(const Lesson& lesson) {
     const Balance::Value& balance = effects.get<Balance>(*frame);
     if (!balance.moments.empty()) scenes.push_back({i, balance});
   }
-  const LessonTime time = *lesson.table.as<LessonTime>();
+  const LessonTime time = *lesson.settings.as<LessonTime>();
   const auto simulate = [time](const BeamScene& scene, double step) {
     return swing(scene.balance.masses, scene.balance.weights[1], time, scene.position, step);
   };
@@ -160,7 +160,7 @@ std::vector<TimeStepCost> motions(const Lesson& lesson) {
 
 /// Rows from the largest step to the smallest; none of a lesson without a clock.
 std::vector<TimeStepCost> time_step_costs(const Lesson& lesson) {
-  if (lesson.table.as<LessonTime>()) return beams(lesson);
+  if (lesson.settings.as<LessonTime>()) return beams(lesson);
   const bool moves = lesson.path_of_shapes && lesson.path_of_shapes->seconds;
   return moves ? motions(lesson) : std::vector<TimeStepCost>();
 }

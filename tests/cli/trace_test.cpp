@@ -54,10 +54,10 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
   }
 }
 
-/// The trace of the first shipped lesson with an act.
-std::string trace_of_lesson_with(std::string_view act) {
+/// The trace of the first shipped lesson with a tour.
+std::string trace_of_lesson_with(std::string_view tour) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
-    if (lesson.act != act) continue;
+    if (lesson.tour != tour) continue;
     std::istringstream in;
     std::ostringstream out;
     std::ostringstream err;
@@ -65,7 +65,7 @@ std::string trace_of_lesson_with(std::string_view act) {
         << err.str();
     return out.str();
   }
-  ADD_FAILURE() << "no lesson has the act " << act;
+  ADD_FAILURE() << "no lesson has the tour " << tour;
   return "{}";
 }
 
@@ -74,7 +74,7 @@ TEST(TraceJson, EveryKeyIsDocumented) {
   for (const std::string& text : {kPentagon, kOverlap, kInSpace, kOutlines}) {
     collect_keys(json::parse(trace(text, true).out), keys);
   }
-  for (const Act* staged : registered_acts()) {
+  for (const Tour* staged : registered_tours()) {
     if (staged->algorithm == &kGjkAlgorithm) continue;
     collect_keys(json::parse(trace_of_lesson_with(staged->name)), keys);
   }

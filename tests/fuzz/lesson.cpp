@@ -52,7 +52,7 @@ class LessonFile {
 };
 
 bool is_cheap(const Lesson& lesson) {
-  if (const LessonGrowth* growth = lesson.table.as<LessonGrowth>()) {
+  if (const LessonGrowth* growth = lesson.settings.as<LessonGrowth>()) {
     const std::vector<int>& sizes = growth->vertices;
     const auto grown = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
     if (kMostGrown < grown * static_cast<std::size_t>(growth->runs)) return false;

@@ -248,10 +248,10 @@ TEST(precision, "half, float and double agree with long double as their digits a
   }
 }
 
-Points<double, 3> box(const Vec<double, 3>& centre, double half) {
+Points<double, 3> box(const Vec<double, 3>& center, double half) {
   Points<double, 3> corners;
   for (int i = 0; i < 8; ++i) {
-    corners.push_back(centre +
+    corners.push_back(center +
                       half * Vec<double, 3>(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
   }
   return corners;

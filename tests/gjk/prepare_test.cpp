@@ -126,11 +126,11 @@ TEST(overflow, "what no unit of length can hold is refused by name") {
   CHECK_EQ(Error::overflow, prepared<double>(pair).error);
 }
 
-TEST(centres, "shapes around their own origin keep it, others are measured from their middle") {
+TEST(centers, "shapes around their own origin keep it, others are measured from their middle") {
   const Pair<double> pair{{{-1, -1}, {3, 1}}, {{-1, 5}, {3, 9}}};
   const gjk::Prepared<double, 2> found = prepared<double>(pair);
-  CHECK((found.x.centre == Vec<double, 2>(0, 0)));
-  CHECK((found.y.centre == Vec<double, 2>(1, 7)));
+  CHECK((found.x.center == Vec<double, 2>(0, 0)));
+  CHECK((found.y.center == Vec<double, 2>(1, 7)));
   CHECK((found.offset == Vec<double, 2>(1, 7)));
   CHECK(found.same_frame);
   Pair<double> moved = pair;
@@ -159,7 +159,7 @@ TEST(exact, "for exact scalars Y stands from X as its translation does") {
 constexpr double kRoundoff = 0x1p-53;
 const Eigen::Matrix2d kQuarterTurn{{0, -1}, {1, 0}};
 
-// Shapes for which every term of a bound is known exactly: the radii are 1 and 5, the centres 8
+// Shapes for which every term of a bound is known exactly: the radii are 1 and 5, the centers 8
 // apart, and a point of Y may round 2.5 times its radius.
 TEST(rounding, "bounds of rounding add up to what the analysis of each operation says") {
   Pair<double> pair{{{-1, 0}, {1, 0}}, {{3, 4}, {-3, -4}}};

@@ -140,20 +140,20 @@ List<S> circle(int count, double x = 0, double y = 0) {
   return out;
 }
 
-TEST(measured, "points know their box, their centre and their radius") {
+TEST(measured, "points know their box, their center and their radius") {
   const List<double> far = {{10, 4}, {14, 4}, {12, 7}};
   CHECK_EQ(14.0, points(far).largest);
-  CHECK((points(far).centre == Vec<double, 2>(12, 5.5)));
+  CHECK((points(far).center == Vec<double, 2>(12, 5.5)));
   CHECK_EQ(2.5, points(far).radius);
   const List<double> around = {{-1, -2}, {3, 1}, {0, 4}};  // their origin is as good as the middle
-  CHECK((points(around).centre == Vec<double, 2>(0, 0)));
+  CHECK((points(around).center == Vec<double, 2>(0, 0)));
   CHECK_EQ(4.0, points(around).radius);
   const List<double> edge = {{0, -1}, {4, 1}};  // the middle is as far as they reach
-  CHECK((points(edge).centre == Vec<double, 2>(0, 0)));
+  CHECK((points(edge).center == Vec<double, 2>(0, 0)));
   const List<double> low = {{-14, -7}, {-10, -4}};
-  CHECK((points(low).centre == Vec<double, 2>(-12, -5.5)));
-  CHECK(points(low).is_centred && points(far).is_centred);
-  CHECK(!points(around).is_centred && !points(edge).is_centred);
+  CHECK((points(low).center == Vec<double, 2>(-12, -5.5)));
+  CHECK(points(low).is_centerd && points(far).is_centerd);
+  CHECK(!points(around).is_centerd && !points(edge).is_centerd);
 }
 
 TEST(far_apart, "two points stand for the longest side of the box, wherever it lies") {
@@ -169,10 +169,10 @@ TEST(far_apart, "two points stand for the longest side of the box, wherever it l
   CHECK((points<double>({{7, 7}}).far_apart == std::array{0, 0}));
 }
 
-TEST(means, "points know how far their mean lies from their centre") {
+TEST(means, "points know how far their mean lies from their center") {
   CHECK_EQ(0.0, points<double>({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}).to_mean);
   CHECK_EQ(5.0, points<double>({{-1, -1}, {7, -1}, {-1, 1}, {7, 17}}).to_mean);
-  CHECK_EQ(0.5, points<double>({{10, 4}, {14, 4}, {12, 7}}).to_mean);  // centre (12, 5.5)
+  CHECK_EQ(0.5, points<double>({{10, 4}, {14, 4}, {12, 7}}).to_mean);  // center (12, 5.5)
   CHECK_EQ(0x1p-1040, points<double>({{0, 0}, {0x1p-1039, 0}}).to_mean);
   CHECK_EQ(0x1p1021,
            points<double>({{-0x1p1022, 0}, {0x1p1023, 0}, {0x1p1022, 0}, {0, 0}}).to_mean);
@@ -359,7 +359,7 @@ TEST(warm_starts, "a warm start goes in and comes out, and finds the answer at o
 }
 
 TEST(defaults,
-     "the default options are the slides': vertices first; the start is between the centres") {
+     "the default options are the slides': vertices first; the start is between the centers") {
   const gjk::Options options;
   CHECK_EQ(gjk::DirectionRule::perpendicular, options.direction_rule);
   CHECK_EQ(gjk::RegionOrder::vertices_first, options.region_order);

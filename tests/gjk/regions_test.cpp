@@ -370,17 +370,17 @@ TEST(thin, "a thin triangle around O is taken or not, but no answer lies farther
 }
 
 /// The regions that O lies in of `rounds` random simplices. A vertex is drawn from its
-/// simplex's centre. P is the
+/// simplex's center. P is the
 /// closest point of the hull exactly when no vertex lies nearer to O along P.
-template <class Centre, class Vertex>
-std::set<int> regions_in_space(int rounds, int count, const Centre& any_centre,
+template <class Center, class Vertex>
+std::set<int> regions_in_space(int rounds, int count, const Center& any_center,
                                const Vertex& any_vertex) {
   std::set<int> regions;
   for (int i = 0; i < rounds; ++i) {
     const check::Context context("simplex", i);
-    const Vec<double, 3> centre = any_centre();
+    const Vec<double, 3> center = any_center();
     std::vector<Vec<double, 3>> points;
-    for (int k = 0; k < count; ++k) points.push_back(centre + any_vertex());
+    for (int k = 0; k < count; ++k) points.push_back(center + any_vertex());
     gjk::State<double, 3> state = state_of<double, 3>(points);
     gjk::NoRecord none;
     gjk::find_closest_point(state, {}, none);

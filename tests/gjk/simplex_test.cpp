@@ -83,7 +83,7 @@ TEST(subfaces, "coordinates of a sub-face are those of the smaller simplex") {
 }
 
 TEST(tetrahedron, "a triangle in space takes Johnson's recursion, a tetrahedron volumes") {
-  // O projects to the centre of the triangle z = 1.
+  // O projects to the center of the triangle z = 1.
   const auto simplex = simplex_of<3>({{1, 0, 1}, {-1, 1, 1}, {0, -1, 1}, {0, 0, -1}});
   const auto face = gjk::barycentric(simplex, 0b0111);
   Vec<double, 3> projection = Vec<double, 3>::Zero();

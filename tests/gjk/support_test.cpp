@@ -27,7 +27,7 @@ TEST(scan_first, "the scan takes the first vertex with the largest dot product")
   gjk::find_support(state, query, prepared, record);
   CHECK_EQ(1, state.support.pair.y);
   CHECK_EQ(std::size_t{4}, record.scan_y.size());
-  const double values[] = {22, 26, 26, 20};  // measured from the origin, not from the centre
+  const double values[] = {22, 26, 26, 20};  // measured from the origin, not from the center
   const bool improves[] = {true, true, false, false};
   for (int i = 0; i < 4; ++i) {
     CHECK_EQ(i, record.scan_y[i].index);

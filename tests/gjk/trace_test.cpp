@@ -128,7 +128,7 @@ TEST(start_simplex, "a run may start with a segment or a triangle") {
   CHECK_EQ(traced({{-3, 4}}, kPentagon).result.distance, trace.result.distance);
 }
 
-TEST(centre, "centre to centre starts at the support point along the line of centres") {
+TEST(center, "center to center starts at the support point along the line of centers") {
   gjk::Options options;
   options.start.count = 0;
   const Points right = {{4, -1}, {6, -1}, {6, 1}, {4, 1}};

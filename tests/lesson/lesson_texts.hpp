@@ -79,7 +79,7 @@ cap = 20
 start = ["M-C", "K-A"]
 
 [steps]
-granularity = "iteration"
+tour = "iteration"
 until = "stop"
 
 [path]

@@ -14,8 +14,8 @@
 #include "subjects/balance/table.hpp"
 #include "subjects/growth/table.hpp"
 #include "subjects/second_run/table.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 #include "subjects/subjects.hpp"
 #include "temporary_folder.hpp"
 
@@ -106,7 +106,7 @@ TEST(Load, EveryKeyReachesTheLesson) {
   ASSERT_EQ(options.start.count, 2);
   EXPECT_EQ(options.start.pairs[0], (gjk::VertexPair{2, 2}));
   EXPECT_EQ(options.start.pairs[1], (gjk::VertexPair{0, 0}));
-  EXPECT_EQ(lesson.act, "iteration");
+  EXPECT_EQ(lesson.tour, "iteration");
   EXPECT_EQ(lesson.until, gjk::Phase::stop);
   ASSERT_TRUE(lesson.path_of_shapes);
   EXPECT_EQ(lesson.path_of_shapes->x().points.size(), 2u);
@@ -140,7 +140,7 @@ TEST(Load, WhatIsMissingHasItsDefault) {
   EXPECT_TRUE(lesson.options.stop_on_repeated_support);
   EXPECT_TRUE(lesson.options.stop_on_no_progress);
   EXPECT_EQ(lesson.options.start.count, 1);
-  EXPECT_EQ(lesson.act, "phase");
+  EXPECT_EQ(lesson.tour, "phase");
   EXPECT_FALSE(lesson.path_of_shapes);
   EXPECT_FALSE(lesson.views[0].camera);
   EXPECT_TRUE(lesson.panel.empty());
@@ -183,9 +183,9 @@ TEST(Load, APointQueryNamesVerticesOfY) {
   EXPECT_EQ(loaded.lesson->options.start.pairs[0], (gjk::VertexPair{0, 2}));
 }
 
-TEST(Load, CentreToCentreIsAStart) {
+TEST(Load, CenterToCenterIsAStart) {
   const LoadedLesson loaded =
-      parse(replaced(testing::kFullLesson, R"(["M-C", "K-A"])", "\"centre-to-centre\""));
+      parse(replaced(testing::kFullLesson, R"(["M-C", "K-A"])", "\"center-to-center\""));
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
   EXPECT_EQ(loaded.lesson->options.start.count, 0);
 }
@@ -337,8 +337,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "unknown direction rule 'towards_orgin'", "towards-origin"},
         Refused{"\"edges-first\"", "¦\"last\"", "unknown region order 'last'"},
         Refused{"[\"no-progress\"]", "[¦\"iteration-cap\"]", "unknown stop test 'iteration-cap'"},
-        Refused{"\"iteration\"", "¦\"iterations\"", "unknown granularity 'iterations'",
-                "iteration"},
+        Refused{"\"iteration\"", "¦\"iterations\"", "unknown tour 'iterations'", "iteration"},
         Refused{"until = \"stop\"", "until = ¦\"step\"", "unknown phase 'step'", "stop"},
         Refused{"\"difference\"", "¦\"diference\"", "unknown view 'diference'", "difference"},
         Refused{"\"history\"", "¦\"histroy\"", "unknown effect 'histroy'", "history"},
@@ -347,7 +346,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"\"top left\"", "¦\"top-left\"", "unknown corner 'top-left'", "top left"},
         Refused{"stop = \"no-progress\"", "stop = ¦\"running\"", "unknown stop reason 'running'"},
         Refused{"[\"M-C\", \"K-A\"]", "¦\"center-to-center\"", "unknown start 'center-to-center'",
-                "centre-to-centre"},
+                "center-to-center"},
         Refused{"\"The distance", "¦\"The {distanc}", "unknown placeholder 'distanc'", "distance"},
         Refused{"\"The distance", "¦\"The { distance", "'prose' holds a single '{'"},
         Refused{"\"M-C\"", "¦\"M\"", "'M' is not a pair of vertices"},
@@ -373,32 +372,28 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[\"M-C\", \"K-A\"]", "¦[]", "'start' has 0 entries"},
         Refused{"[\"M-C\", \"K-A\"]", "¦[\"K-A\", \"K-B\", \"K-C\", \"L-A\"]",
                 "'start' has 4 entries"},
-        Refused{"granularity = \"iteration\"\nuntil = \"stop\"",
-                "granularity = \"test\"\nuntil = ¦\"stop\"", "'until' with granularity 'test'"},
+        Refused{"tour = \"iteration\"\nuntil = \"stop\"", "tour = \"test\"\nuntil = ¦\"stop\"",
+                "'until' with tour 'test'"},
         Refused{"\"iteration\"\nuntil = \"stop\"\n\n[path]\npoints = [[0, 0], [1, 1]]\nframes = 13",
-                "¦\"path\"", "granularity 'path' without its table"},
-        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"time\"",
-                "granularity 'time' without its table"},
+                "¦\"path\"", "tour 'path' without its table"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"time\"", "tour 'time' without its table"},
         Refused{"[steps]", "¦[time]\nseconds = 2\nframes = 3\n[steps]",
-                "a table [time] without granularity 'time'"},
-        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"maps\"",
-                "granularity 'maps' without a triangle"},
+                "a table [time] without tour 'time'"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"maps\"", "tour 'maps' without a triangle"},
         Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"orders\"",
-                "granularity 'orders' without a triangle"},
+                "tour 'orders' without a triangle"},
         Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"growth\"",
-                "granularity 'growth' without its table"},
+                "tour 'growth' without its table"},
         Refused{"[steps]", "¦[growth]\nvertices = [3, 4]\n[steps]",
-                "a table [growth] without granularity 'growth' or 'general-growth'"},
+                "a table [growth] without tour 'growth' or 'general-growth'"},
         Refused{"show = \"difference\"", "show = ¦\"growth\"",
-                "view 'growth' without granularity 'growth'"},
-        Refused{"\"weights\"", "¦\"growth\"", "block 'growth' without granularity 'growth'"},
-        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"study\"",
-                "granularity 'study' without its table"},
-        Refused{"show = \"difference\"", "show = ¦\"study\"",
-                "view 'study' without granularity 'study'"},
-        Refused{"\"history\"", "¦\"balance\"", "effect 'balance' without granularity 'time'"},
-        Refused{"\"weights\"", "¦\"balance\"", "block 'balance' without granularity 'time'"},
-        Refused{"\"weights\"", "¦\"orders\"", "block 'orders' without granularity 'orders'"},
+                "view 'growth' without tour 'growth'"},
+        Refused{"\"weights\"", "¦\"growth\"", "block 'growth' without tour 'growth'"},
+        Refused{"\"iteration\"\nuntil = \"stop\"", "¦\"study\"", "tour 'study' without its table"},
+        Refused{"show = \"difference\"", "show = ¦\"study\"", "view 'study' without tour 'study'"},
+        Refused{"\"history\"", "¦\"balance\"", "effect 'balance' without tour 'time'"},
+        Refused{"\"weights\"", "¦\"balance\"", "block 'balance' without tour 'time'"},
+        Refused{"\"weights\"", "¦\"orders\"", "block 'orders' without tour 'orders'"},
         Refused{"rotate = 15.0", "translate = ¦[1, 1]", "'translate' of X besides a path"},
         Refused{"\"history\"", "\"history\", ¦\"history\"", "effect 'history' is named twice"},
         Refused{"\"weights\"", "¦\"pseudocode\"", "block 'pseudocode' is named twice"},
@@ -433,7 +428,7 @@ TEST(Load, TimeHasMomentsForEachPosition) {
       {list, "", "3 lists for 4 positions"},
       {"seconds = 6.0", "seconds = 6.0\nframes = 9", "'moments' besides 'frames'"},
       {"moments = [", "moment = [", "a simulation without frames"},
-      {"start = [\"A\", \"B\"]", "start = [\"A\"]", "granularity 'time' without a segment"}};
+      {"start = [\"A\", \"B\"]", "start = [\"A\"]", "tour 'time' without a segment"}};
   expect_refused(text, refused);
 }
 
@@ -473,9 +468,8 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
       {"runs = 100", "runs = 0", "'runs' is 0"},
       {"seed = 1998", "seed = -1", "'seed' is -1"},
       {"seed = 1998", "tolerance = 1.0", "'tolerance' is 1"},
-      {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "granularity 'growth' with a path"},
-      {"granularity = \"growth\"", "granularity = \"growth\"\nuntil = \"support\"",
-       "'until' with granularity 'growth'"},
+      {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "tour 'growth' with a path"},
+      {"tour = \"growth\"", "tour = \"growth\"\nuntil = \"support\"", "'until' with tour 'growth'"},
       {"show = \"growth\"", "show = \"growth\"\neffects = [\"history\"]",
        "'effects' in a view of growth"},
       {"show = \"growth\"", "show = \"growth\"\ncamera = { center = [0, 0], height = 1 }",
@@ -519,8 +513,8 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
       {family, "family = \"nearly parallell\"", "did you mean 'nearly parallel'?"},
       {"\"double\"", "\"doubel\"", "unknown configuration 'doubel'"},
       {"\"double, cap 3\"", "\"double\"", "configuration 'double' is named twice"},
-      {"ask = \"overlap\"", "ask = \"stop\"", "question 'stop' with granularity 'study'"},
-      {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "granularity 'study' with a path"},
+      {"ask = \"overlap\"", "ask = \"stop\"", "question 'stop' with tour 'study'"},
+      {"[steps]", "[path]\npoints = [[0, 0], [1, 0]]\n[steps]", "tour 'study' with a path"},
       {"show = \"study\"", "show = \"study\"\neffects = [\"history\"]",
        "'effects' in a view of study"}};
   expect_refused(text, refused, file);
@@ -558,11 +552,11 @@ TEST(Load, ASecondRunNeedsAnotherScalarAndAViewThatShowsIt) {
   EXPECT_EQ(
       only_problem(with_second(shown, "regions = \"unchecked\"")),
       "lessons/two.toml:29:1: a second run that differs from the first in more than its scalar; "
-      "expected granularity = \"two-runs\" in [steps], which shows them side by side");
+      "expected tour = \"two-runs\" in [steps], which shows them side by side");
   EXPECT_EQ(
       only_problem(with_second(shown, "mistake = \"wrong-sign\"")),
       "lessons/two.toml:29:1: a second run that differs from the first in more than its scalar; "
-      "expected granularity = \"two-runs\" in [steps], which shows them side by side");
+      "expected tour = \"two-runs\" in [steps], which shows them side by side");
   EXPECT_EQ(only_problem(with_second(shown, "scalar = \"exact\"\nmistake = \"wrong-sign\"")),
             "lessons/two.toml:29:1: [second] does not say which run it is; expected a mistake, a "
             "log, or what differs in a run of GJK: scalar, direction, regions, stop");
@@ -619,8 +613,8 @@ TEST(Load, TheListingOfTheDifferenceNeedsFramesForThePairs) {
   const LoadedLesson loaded = parse(text);
   ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
   EXPECT_EQ(to_string(loaded.problems[0]),
-            "lessons/two.toml:49:11: listing 'minkowski' without granularity 'pairs'; expected "
-            "granularity = \"pairs\" in [steps]");
+            "lessons/two.toml:49:11: listing 'minkowski' without tour 'pairs'; expected "
+            "tour = \"pairs\" in [steps]");
   EXPECT_TRUE(parse(replaced(text, "\"iteration\"", "\"pairs\"")).lesson);
 }
 
@@ -633,7 +627,7 @@ TEST(Load, PairsAreSteppedThroughForSmallShapesOnly) {
   const LoadedLesson loaded = parse(text);
   ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
   EXPECT_EQ(to_string(loaded.problems[0]),
-            "lessons/two.toml:29:15: granularity 'pairs' with a shape of 9 vertices; expected at "
+            "lessons/two.toml:29:15: tour 'pairs' with a shape of 9 vertices; expected at "
             "most 8 vertices in each shape");
 }
 

@@ -31,7 +31,7 @@ warm = true
 start = ["K-A"]
 
 [steps]
-granularity = "answer"
+tour = "answer"
 
 [path]
 points = [[0, 0], [0, 1]]
@@ -143,10 +143,9 @@ TEST(Motion, WhatDoesNotFitTogetherIsRefusedAtItsPlace) {
        "vertices = [[-1, -0.5], [1, -0.5], [0, 1]]\ntranslate = [1, 0]",
        "'translate' of Y besides a path"},
       {"warm = true", "warm = 1", "'warm' is a number"},
-      {"granularity = \"answer\"", "granularity = \"answer\"\nuntil = \"stop\"",
-       "'until' with granularity 'answer'"},
-      {"granularity = \"answer\"", "granularity = \"answer\"\nphases = [\"stop\"]",
-       "'phases' with granularity 'answer'"},
+      {"tour = \"answer\"", "tour = \"answer\"\nuntil = \"stop\"", "'until' with tour 'answer'"},
+      {"tour = \"answer\"", "tour = \"answer\"\nphases = [\"stop\"]",
+       "'phases' with tour 'answer'"},
       {"points = [[5, 0], [5, 0], [3, 2]]\n", "", "missing key 'points'"},
   };
   for (const auto& [from, to, what] : cases) {
@@ -179,11 +178,11 @@ TEST(WarmStart, NeedsAPath) {
             "motion.toml:16:8: a warm start without a path; e");
 }
 
-TEST(Granularity, AnswerWitnessAndSupportMakeTheirFrames) {
+TEST(Tour, AnswerWitnessAndSupportMakeTheirFrames) {
   Lesson lesson = motion();
-  lesson.act = "witness";
+  lesson.tour = "witness";
   EXPECT_EQ(run_lesson(lesson).frames.size(), 4u * 9u);
-  lesson.act = "support";
+  lesson.tour = "support";
   const LessonRun run = run_lesson(lesson);
   int calls = 0;
   for (const PositionedRun& positioned : run.runs) calls += support_calls(positioned.trace);
@@ -191,9 +190,9 @@ TEST(Granularity, AnswerWitnessAndSupportMakeTheirFrames) {
   for (const Frame& frame : run.frames) EXPECT_EQ(run.step(frame).phase, gjk::Phase::support);
 }
 
-TEST(Granularity, PhasesPicksThoseThatGetAFrame) {
+TEST(Tour, PhasesPicksThoseThatGetAFrame) {
   Lesson lesson = motion();
-  lesson.act = "phase";
+  lesson.tour = "phase";
   lesson.phases = {gjk::Phase::support, gjk::Phase::stop};
   const LessonRun run = run_lesson(lesson);
   for (const Frame& frame : run.frames) {

@@ -181,7 +181,7 @@ void slip(std::string& text, Slip kind, Random& random) {
     case Slip::other_name: {
       // Names of the same kind, so that the file is a lesson more often than not.
       const std::vector<std::string> kinds[] = {
-          names_of<ScalarKind>(),         names_of(vocabulary().acts),
+          names_of<ScalarKind>(),         names_of(vocabulary().tours),
           names_of<gjk::Phase>(),         names_of<ViewKind>(),
           names_of<gjk::DirectionRule>(), names_of<gjk::RegionOrder>(),
           names_of(vocabulary().blocks),  names_of<gjk::StopReason>(),
@@ -221,7 +221,7 @@ std::vector<std::string> originals() {
 void expect_sound(const LessonRun& run) {
   ASSERT_FALSE(run.runs.empty());
   for (const PositionedRun& positioned : run.runs) {
-    ASSERT_EQ(positioned.trace.is_empty(), run.act->algorithm->takes_outlines);
+    ASSERT_EQ(positioned.trace.is_empty(), run.tour->algorithm->takes_outlines);
   }
   for (const Frame& frame : run.frames) {
     ASSERT_GE(frame.run, 0);
@@ -326,19 +326,19 @@ const std::string kTiny = lesson_of_size("half", "[[0, 0], [1e-7, 0], [0, 1e-7]]
 TEST(RefusedShapes, HaveSoundFramesAndAProblem) {
   for (const auto& [shapes, error] :
        {std::pair(kFar, gjk::Error::overflow), std::pair(kTiny, gjk::Error::underflow)}) {
-    for (const std::string& granularity : names_of(vocabulary().acts)) {
-      SCOPED_TRACE(granularity);
+    for (const std::string& tour : names_of(vocabulary().tours)) {
+      SCOPED_TRACE(tour);
       std::string text = shapes;
-      text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", granularity));
+      text.replace(text.find("\"iteration\""), 11, fmt::format("\"{}\"", tour));
       const LoadedLesson loaded = parse_lesson(text, "large.toml", vocabulary());
-      if (!is_shown_of(vocabulary().act(granularity)->needs.shown_of, 2) || granularity == "time" ||
-          granularity == "maps" || granularity == "orders" || granularity == "growth" ||
-          granularity == "issues" || granularity == "study" || granularity == "downhill" ||
-          granularity == "course-map" || granularity == "two-runs" || granularity == "dimensions") {
+      if (!is_shown_of(vocabulary().tour(tour)->needs.shown_of, 2) || tour == "time" ||
+          tour == "maps" || tour == "orders" || tour == "growth" || tour == "issues" ||
+          tour == "study" || tour == "downhill" || tour == "course-map" || tour == "two-runs" ||
+          tour == "dimensions") {
         EXPECT_FALSE(loaded.lesson) << "needs a point query, no path, or space";
         continue;
       }
-      const Algorithm* algorithm = vocabulary().act(granularity)->algorithm;
+      const Algorithm* algorithm = vocabulary().tour(tour)->algorithm;
       if (algorithm->takes_outlines) {
         EXPECT_FALSE(loaded.lesson) << "expects what only a run of GJK can come to";
         continue;

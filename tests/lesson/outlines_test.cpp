@@ -19,11 +19,11 @@ namespace outlines_test {
 const std::string kSquareWithHole =
     "vertices = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [1, 3], [3, 3], [3, 1]]\n";
 
-std::string lesson_text(const std::string& x, const std::string& granularity = "lin-canny",
+std::string lesson_text(const std::string& x, const std::string& tour = "lin-canny",
                         const std::string& expect = "answer = { distance = 1.0 }") {
   return "title = \"T\"\nchapter = 1\norder = 1\nprose = \"P\"\n[shapes.X]\n" + x +
-         "[shapes.Y]\nvertices = [[5, 0], [6, 0], [6, 1]]\n[steps]\ngranularity = \"" +
-         granularity + "\"\n[[views]]\nshow = \"world\"\n[expect]\n" + expect + "\n";
+         "[shapes.Y]\nvertices = [[5, 0], [6, 0], [6, 1]]\n[steps]\ntour = \"" + tour +
+         "\"\n[[views]]\nshow = \"world\"\n[expect]\n" + expect + "\n";
 }
 
 LoadedLesson load(const std::string& text) { return parse_lesson(text, "x.toml", vocabulary()); }
@@ -54,16 +54,15 @@ TEST(Outlines, AreRefusedWhereTheyDoNotAddUpOrGjkRuns) {
             "'vertices'");
   EXPECT_EQ(problem(lesson_text(kSquareWithHole + "outlines = [4, 4]\n", "phase",
                                 "stop = \"repeated-support\"")),
-            "x.toml:7:12: 'outlines' with granularity 'phase'; expected no 'outlines': GJK asks "
+            "x.toml:7:12: 'outlines' with tour 'phase'; expected no 'outlines': GJK asks "
             "about the hull of the vertices");
 }
 
 TEST(Outlines, AFileExpectsWhatItsAlgorithmComesTo) {
   const std::string x = "vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
   EXPECT_TRUE(load(lesson_text(x)).lesson);
-  EXPECT_EQ(
-      problem(lesson_text(x, "lin-canny", "distance = 1.0")),
-      "x.toml:14:12: 'distance' with granularity 'lin-canny'; expected 'answer': GJK is not run");
+  EXPECT_EQ(problem(lesson_text(x, "lin-canny", "distance = 1.0")),
+            "x.toml:14:12: 'distance' with tour 'lin-canny'; expected 'answer': GJK is not run");
   const LoadedLesson stops = load(lesson_text(x, "lin-canny", "stop = \"local-minimum\""));
   ASSERT_TRUE(stops.lesson);
   EXPECT_EQ(load(lesson_toml(*stops.lesson)).lesson->expect, stops.lesson->expect);
@@ -74,9 +73,8 @@ TEST(Outlines, AFileExpectsWhatItsAlgorithmComesTo) {
   EXPECT_EQ(problem(lesson_text(x, "slab-proof", "stop = \"empty slab\"")),
             "x.toml:14:8: unknown stop reason 'empty slab'; expected one of: empty-slab, overlap, "
             "iteration-cap; did you mean 'empty-slab'?");
-  EXPECT_EQ(
-      problem(lesson_text(x, "minkowski-sum", "stop = \"repeated-support\"")),
-      "x.toml:14:8: 'stop' with granularity 'minkowski-sum'; expected 'answer': GJK is not run");
+  EXPECT_EQ(problem(lesson_text(x, "minkowski-sum", "stop = \"repeated-support\"")),
+            "x.toml:14:8: 'stop' with tour 'minkowski-sum'; expected 'answer': GJK is not run");
   EXPECT_EQ(problem(lesson_text(x, "phase", "distance = 1.0")).substr(0, 33),
             "x.toml:13:1: missing key 'stop'; ");
 }
@@ -104,8 +102,8 @@ TEST(Outlines, TheWalkSaysWhyItDoesNotTakeAHole) {
 }
 
 TEST(Volumes, AreChosenWhereTreesAreBuilt) {
-  const auto with_volumes = [](const std::string& volumes, const std::string& granularity) {
-    return lesson_text("vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n", granularity) +
+  const auto with_volumes = [](const std::string& volumes, const std::string& tour) {
+    return lesson_text("vertices = [[0, 0], [4, 0], [4, 4], [0, 4]]\n", tour) +
            "[trees]\nvolumes = \"" + volumes + "\"\n";
   };
   const LoadedLesson loaded = load(with_volumes("circles", "hierarchy-distance"));
@@ -119,14 +117,14 @@ TEST(Volumes, AreChosenWhereTreesAreBuilt) {
   EXPECT_EQ(problem(with_volumes("balls", "hierarchy-distance")),
             "x.toml:16:11: unknown volume 'balls'; expected one of: boxes, circles, tiles");
   EXPECT_EQ(problem(with_volumes("circles", "lin-canny")),
-            "x.toml:15:1: a table [trees] without granularity 'hierarchy-collide' or "
-            "'hierarchy-distance' or 'hierarchy-orders'; expected granularity = "
+            "x.toml:15:1: a table [trees] without tour 'hierarchy-collide' or "
+            "'hierarchy-distance' or 'hierarchy-orders'; expected tour = "
             "\"hierarchy-collide\" or \"hierarchy-distance\" or \"hierarchy-orders\" in [steps]");
   LoadedLesson tiles = load(with_volumes("tiles", "hierarchy-orders") + "tile = 0.25\n");
   ASSERT_TRUE(tiles.lesson);
   EXPECT_EQ(trees_of(*tiles.lesson), (LessonTrees{VolumeKind::tiles, 0.25}));
   EXPECT_EQ(*load(lesson_toml(*tiles.lesson)).lesson, *tiles.lesson);
-  tiles.lesson->table = ActTable(LessonTrees{});
+  tiles.lesson->table = TourSettings(LessonTrees{});
   EXPECT_EQ(*load(lesson_toml(*tiles.lesson)).lesson, *tiles.lesson) << "an empty table stays";
   EXPECT_EQ(problem(with_volumes("circles", "hierarchy-distance") + "tile = 0.25\n"),
             "x.toml:17:8: 'tile' without tiles; expected volumes = \"tiles\"");

@@ -45,7 +45,7 @@ direction = "towards-origin"   # as on the slides
 cap = 64
 
 [steps]
-granularity = "phase"
+tour = "phase"
 
 # The views.
 [[views]]

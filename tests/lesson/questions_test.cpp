@@ -16,12 +16,12 @@ namespace gjkscope {
 namespace questions_test {
 
 /// The pentagon of the slides: E; C; CE; D; CDE, E dropped; CD; C again.
-std::string pentagon(const std::string& granularity, const std::string& questions) {
+std::string pentagon(const std::string& tour, const std::string& questions) {
   return fmt::format(R"(title = "Pentagon"
 chapter = 3
 order = 1
 prose = "Evolution."
-steps.granularity = "{}"
+steps.tour = "{}"
 shapes.X.name = "Q"
 shapes.X.vertices = [[2.7, 2.3]]
 views = [{{ show = "world" }}]
@@ -32,15 +32,15 @@ expect.stop = "repeated-support"
 names = ["A", "B", "C", "D", "E"]
 vertices = [[-1.4, -1.6], [1.2, -1.8], [2.4, -0.4], [0.9, 2.2], [-2.0, 0.4]]
 )",
-                     granularity, questions);
+                     tour, questions);
 }
 
 LoadedLesson parse(const std::string& text) {
   return parse_lesson(text, "pentagon.toml", vocabulary());
 }
 
-LessonRun ran(const std::string& granularity, const std::string& questions) {
-  LoadedLesson loaded = parse(pentagon(granularity, questions));
+LessonRun ran(const std::string& tour, const std::string& questions) {
+  LoadedLesson loaded = parse(pentagon(tour, questions));
   for (const Problem& problem : loaded.problems) ADD_FAILURE() << to_string(problem);
   return run_lesson(loaded.lesson.value_or(Lesson{}));
 }
@@ -130,7 +130,7 @@ TEST(Questions, ARegionIsAskedForBeforeTheTestThatHolds) {
 chapter = 2
 order = 1
 prose = "Tests."
-steps.granularity = "test"
+steps.tour = "test"
 questions = [{ ask = "region" }]
 views = [{ show = "world" }]
 query.start = ["A", "B", "C"]
@@ -169,11 +169,11 @@ TEST(Questions, AboutSignsAreForTetrahedraThatHaveAVolume) {
 TEST(Questions, NeedFramesThatAnswer) {
   LoadedLesson loaded = parse(pentagon("answer", R"(questions = [{ ask = "stop" }])"));
   ASSERT_EQ(loaded.problems.size(), 1u);
-  EXPECT_EQ(loaded.problems[0].what, "question 'stop' with granularity 'answer'");
+  EXPECT_EQ(loaded.problems[0].what, "question 'stop' with tour 'answer'");
   EXPECT_EQ(loaded.problems[0].line, 11);
   loaded = parse(pentagon("test", R"(questions = [{ ask = "stop" }])"));
   ASSERT_EQ(loaded.problems.size(), 1u);
-  EXPECT_EQ(loaded.problems[0].what, "question 'stop' with granularity 'test'");
+  EXPECT_EQ(loaded.problems[0].what, "question 'stop' with tour 'test'");
 }
 
 TEST(Questions, AreReadAndMistakesFound) {

@@ -64,8 +64,8 @@ TEST(Readme, NamesAllThatCanShowSpace) {
        ++each)
     named.insert((*each)[1]);
   std::set<std::string> able = {"axis", "eye"};
-  for (const Act* act : vocabulary().acts) {
-    if (is_shown_of(act->needs.shown_of, 3)) able.emplace(act->name);
+  for (const Tour* tour : vocabulary().tours) {
+    if (is_shown_of(tour->needs.shown_of, 3)) able.emplace(tour->name);
   }
   for (const auto* terms : {&vocabulary().blocks, &vocabulary().listings, &vocabulary().effects}) {
     for (const Term& term : *terms) {
@@ -80,10 +80,10 @@ TEST(Readme, ListsEveryPlaceholder) {
   for (const PlaceholderInfo& placeholder : kPlaceholders) {
     rows.push_back(fmt::format("| `{{{}}}` | {} |", placeholder.name, placeholder.meaning));
   }
-  for (const Act* each : registered_acts()) {
+  for (const Tour* each : registered_tours()) {
     for (const PlaceholderInfo& value : each->algorithm->values) {
-      rows.push_back(fmt::format("| `{{{}}}` | with granularity `{}`: {} |", value.name, each->name,
-                                 value.meaning));
+      rows.push_back(
+          fmt::format("| `{{{}}}` | with tour `{}`: {} |", value.name, each->name, value.meaning));
     }
   }
   EXPECT_EQ(joined(table_under("## Placeholders")), joined(rows));
@@ -91,15 +91,15 @@ TEST(Readme, ListsEveryPlaceholder) {
 
 TEST(Readme, ListsEveryQuestion) {
   std::vector<std::string> rows;
-  for (const Act* first : registered_acts()) {
+  for (const Tour* first : registered_tours()) {
     for (const AskInfo& ask : first->asks) {
-      std::string acts;
-      for (const Act* each : registered_acts()) {
+      std::string tours;
+      for (const Tour* each : registered_tours()) {
         if (each->ask(ask.name) == nullptr) continue;
         EXPECT_EQ(ask.meaning, each->ask(ask.name)->meaning);
-        acts += (acts.empty() ? "" : ", ") + std::string(each->name);
+        tours += (tours.empty() ? "" : ", ") + std::string(each->name);
       }
-      const std::string row = fmt::format("| `{}` | {} | {} |", ask.name, acts, ask.meaning);
+      const std::string row = fmt::format("| `{}` | {} | {} |", ask.name, tours, ask.meaning);
       if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
     }
   }
@@ -115,11 +115,11 @@ TEST(Readme, ListsEveryEffectOfViews) {
   EXPECT_EQ(joined(table_under("## Effects")), joined(rows));
 }
 
-TEST(Readme, ListsEveryGranularityBlockAndListing) {
+TEST(Readme, ListsEveryTourBlockAndListing) {
   const auto row = [](const auto& of) { return fmt::format("| `{}` | {} |", of.name, of.meaning); };
-  std::vector<std::string> acts;
-  for (const Act* each : registered_acts()) acts.push_back(row(*each));
-  EXPECT_EQ(joined(table_under("## Granularity")), joined(acts));
+  std::vector<std::string> tours;
+  for (const Tour* each : registered_tours()) tours.push_back(row(*each));
+  EXPECT_EQ(joined(table_under("## Tour")), joined(tours));
   std::vector<std::string> blocks;
   for (const Block* each : registered_blocks()) blocks.push_back(row(*each));
   EXPECT_EQ(joined(table_under("## Panel blocks")), joined(blocks));
@@ -163,7 +163,7 @@ TEST(Chapters, SayWhereTheirFileIsWrong) {
 
 /// Each subject hands on what its folder defines, and each table is documented (above, and in
 /// `explain`).
-TEST(Registries, HoldEveryActTableBlockListingLayerEffectAndDrawerThatIsDefined) {
+TEST(Registries, HoldEveryTourSettingsBlockListingLayerEffectAndDrawerThatIsDefined) {
   namespace fs = std::filesystem;
   const fs::path source = testing::lessons_folder().parent_path() / "src";
   const auto defined = [&](std::string_view kind) {
@@ -179,12 +179,12 @@ TEST(Registries, HoldEveryActTableBlockListingLayerEffectAndDrawerThatIsDefined)
     }
     return count;
   };
-  EXPECT_EQ(defined("Act"), registered_acts().size());
+  EXPECT_EQ(defined("Tour"), registered_tours().size());
   EXPECT_EQ(defined("Block"), registered_blocks().size());
   EXPECT_EQ(defined("Listing"), registered_listings().size());
   EXPECT_EQ(defined("Layer"), registered_layers().size());
   EXPECT_EQ(defined("EffectInfo"), registered_effects().size());
-  EXPECT_EQ(defined("TableKind"), tables_of(vocabulary().acts).size());
+  EXPECT_EQ(defined("SettingsKind"), settings_of(vocabulary().tours).size());
 
   const auto listed = [](const fs::path& list) {
     const std::regex entry(R"(^[A-Z_]+\((\w+)\)$)");

@@ -128,11 +128,11 @@ vertices = [[0.0, 0.0]]
 
 [query]
 stop = []
-start = "centre-to-centre"
+start = "center-to-center"
 warm = true
 
 [steps]
-granularity = "answer"
+tour = "answer"
 
 [path]
 points = [[0.0, 0.0], [0.0, 1.0]]
@@ -354,8 +354,8 @@ Lesson any_lesson(Random& random) {
     if (one_in(random, 2)) view.effects = {any_name(random, names_of(vocabulary().effects))};
   }
   if (one_in(random, 6) && out.scalar != ScalarKind::exact) {
-    out.act = "iteration";
-    out.table = ActTable(LessonSecond{.scalar = ScalarKind::exact});
+    out.tour = "iteration";
+    out.settings = TourSettings(LessonSecond{.scalar = ScalarKind::exact});
     out.views.back().effects = {"second-run"};
   }
   gjk::Options& options = out.options;
@@ -370,9 +370,9 @@ Lesson any_lesson(Random& random) {
     pair = {static_cast<int>(below(random, out.x().vertices.size())),
             static_cast<int>(below(random, out.y().vertices.size()))};
 
-  if (one_in(random, 2)) out.act = any_name(random, names_of(vocabulary().acts));
+  if (one_in(random, 2)) out.tour = any_name(random, names_of(vocabulary().tours));
   if (one_in(random, 3)) out.until = any_of<gjk::Phase>(random);
-  if (out.act == "phase" && one_in(random, 2))
+  if (out.tour == "phase" && one_in(random, 2))
     out.phases = {any_of<gjk::Phase>(random), any_of<gjk::Phase>(random)};
   if (one_in(random, 2)) {
     LessonPath& path = out.path_of_shapes.emplace();
@@ -387,7 +387,7 @@ Lesson any_lesson(Random& random) {
     out.y().rotate_degrees = 0.0;
     out.warm_start = one_in(random, 2);
   }
-  if (out.act == "time") {
+  if (out.tour == "time") {
     LessonTime time;
     time.seconds = 0.5 + std::abs(any_number(random, 3000.0));
     time.frames = one_in(random, 2) ? 0 : 2 + static_cast<int>(below(random, 4));
@@ -397,9 +397,9 @@ Lesson any_lesson(Random& random) {
       for (int i = static_cast<int>(below(random, 3)); i < 4; ++i)
         moments.push_back(time.seconds * i / 3);
     }
-    out.table = ActTable(time);
+    out.settings = TourSettings(time);
   }
-  if (out.act == "growth") {
+  if (out.tour == "growth") {
     LessonGrowth growth;
     for (int size = 3; growth.vertices.size() < 2 || !one_in(random, 4); size *= 2)
       growth.vertices.push_back(size + static_cast<int>(below(random, 3)));
@@ -413,19 +413,19 @@ Lesson any_lesson(Random& random) {
           (*growth.times.*member).push_back(1.0 + std::abs(any_number(random, 1e9)));
       }
     }
-    out.table = ActTable(growth);
+    out.settings = TourSettings(growth);
   }
-  if (out.act == "study") {
-    static const ActTable kShipped =
+  if (out.tour == "study") {
+    static const TourSettings kShipped =
         with_absolute_file(
             *load_lesson(testing::lessons_folder() / "accuracy-cost.toml", vocabulary()).lesson)
             .table;
-    out.table = kShipped;
-    std::vector<StudyMark>& marks = out.table.edit<LessonStudy>().marks;
+    out.settings = kShipped;
+    std::vector<StudyMark>& marks = out.settings.edit<LessonStudy>().marks;
     marks.resize(1 + below(random, marks.size()));
   }
   for (LessonView& view : out.views) {
-    if ((out.act == "growth" || out.act == "study") && one_in(random, 2))
+    if ((out.tour == "growth" || out.tour == "study") && one_in(random, 2))
       view.kind = ViewKind::plot;
     if (!shows_shapes(view.kind)) view.camera.reset();
     if (!shows_shapes(view.kind)) view.close_up.reset();
@@ -436,7 +436,7 @@ Lesson any_lesson(Random& random) {
     if (std::count(out.panel.begin(), out.panel.end(), block) == 0) out.panel.push_back(block);
     if (block == "pseudocode") out.listing = any_name(random, names_of(vocabulary().listings));
   }
-  if (out.act == "iteration" && one_in(random, 2)) {
+  if (out.tour == "iteration" && one_in(random, 2)) {
     const std::vector<std::string> asks = {"support", "region", "dropped", "stop"};
     out.questions = {{any_name(random, asks), 3}, {any_name(random, asks), 7}};
     if (one_in(random, 2)) out.questions.resize(1);
@@ -473,9 +473,9 @@ TEST(SavedLesson, SurvivesWhateverItHoldsThatTheLoaderTakes) {
     long_prose += text.find("\"\"\"\\\n") != std::string::npos;
     points += made.x().vertices.size() == 1;
     paths += made.path_of_shapes.has_value();
-    timed += made.table.as<LessonTime>() != nullptr;
-    grown += made.table.as<LessonGrowth>() != nullptr;
-    studied += made.table.as<LessonStudy>() != nullptr;
+    timed += made.settings.as<LessonTime>() != nullptr;
+    grown += made.settings.as<LessonGrowth>() != nullptr;
+    studied += made.settings.as<LessonStudy>() != nullptr;
   }
   fmt::print(
       "{} lessons: {} taken, {} with long prose, {} point queries, {} paths, {} timed, {} grown, "

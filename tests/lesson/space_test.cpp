@@ -99,10 +99,10 @@ TEST(LessonInSpace, WhatIsWrongIsSaidWithItsPlace) {
   says("azimuth = -40", "azimuth = 900", "azimuth");
   says("\"minkowski-hull\"", "\"shape-hull\"", "effect 'shape-hull' of shapes in space");
   says("\"bounds\"]", "\"areas\"]", "block 'areas' of shapes in space");
-  says("[panel]", "[steps]\ngranularity = \"pairs\"\n\n[panel]", "granularity 'pairs' in space");
+  says("[panel]", "[steps]\ntour = \"pairs\"\n\n[panel]", "tour 'pairs' in space");
   says("\"bounds\"]", "\"depth-edges\"]", "block 'depth-edges' of shapes in space");
   const std::string two_runs =
-      "[steps]\ngranularity = \"two-runs\"\n\n[second]\nmistake = \"wrong-sign\"\n\n[panel]";
+      "[steps]\ntour = \"two-runs\"\n\n[second]\nmistake = \"wrong-sign\"\n\n[panel]";
   says("[panel]", two_runs, "a mistake in a loop in space");
 }
 
@@ -117,10 +117,9 @@ TEST(LessonInSpace, HasUpToThreeViews) {
 
 TEST(LessonInSpace, StartsWithATetrahedronWhereFramesAreAboutOne) {
   std::string text(kLesson);
-  text.insert(
-      text.find("[[views]]"),
-      "[steps]\ngranularity = \"fractions\"\n\n[path]\npoints = [[0, 0, 0], [1, 1, 1]]\n\n");
-  EXPECT_NE(to_string(parse(text).problems).find("granularity 'fractions' without a tetrahedron"),
+  text.insert(text.find("[[views]]"),
+              "[steps]\ntour = \"fractions\"\n\n[path]\npoints = [[0, 0, 0], [1, 1, 1]]\n\n");
+  EXPECT_NE(to_string(parse(text).problems).find("tour 'fractions' without a tetrahedron"),
             std::string::npos);
 }
 

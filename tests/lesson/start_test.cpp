@@ -69,11 +69,11 @@ TEST(Start, IsTheSameInEveryScalarInAllLessons) {
 TEST(Start, OfASecondRunIsThatOfTheFirstAtEachPositionOfAWarmPath) {
   int compared = 0;
   for (Lesson lesson : testing::shipped_lessons()) {
-    if (!lesson.warm_start || lesson.table.kind()) continue;
-    lesson.table = ActTable(LessonSecond{
+    if (!lesson.warm_start || lesson.settings.kind()) continue;
+    lesson.settings = TourSettings(LessonSecond{
         .scalar = lesson.scalar == ScalarKind::exact ? ScalarKind::double_ : ScalarKind::exact});
     const LessonRun run = run_lesson(lesson);
-    if (run.act->algorithm->takes_outlines) continue;
+    if (run.tour->algorithm->takes_outlines) continue;
     EffectGraph graph(run);
     for (int i = 0; i < static_cast<int>(run.runs.size()); ++i) {
       ++compared;

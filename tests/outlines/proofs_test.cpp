@@ -17,13 +17,13 @@ namespace proofs_test {
 using models::Point;
 
 /// Corners on a grid, so that sums are exact, edges are parallel often, and polygons touch.
-std::vector<Point> polygon(std::mt19937& random, const Point& centre) {
+std::vector<Point> polygon(std::mt19937& random, const Point& center) {
   for (;;) {
     std::vector<Point> points;
     for (int i = 0; i < 7; ++i) {
       const double x = static_cast<double>(random() % 9);
       const double y = static_cast<double>(random() % 9);
-      points.emplace_back(centre.x() + x, centre.y() + y);
+      points.emplace_back(center.x() + x, center.y() + y);
     }
     const std::vector<int> hull = gjkscope::convex_hull(points);
     if (hull.size() < 3) continue;

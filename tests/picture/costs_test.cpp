@@ -19,9 +19,10 @@ namespace costs_test {
 /// Two sizes, with times.
 Lesson small_lesson() {
   Lesson lesson = testing::shipped_lesson("general-growth");
-  lesson.table.edit<LessonGrowth>().vertices = {10, 30};
-  lesson.table.edit<LessonGrowth>().times = {"a processor", {2e3, 9e6},  {7e3},       {4e3, 5e3},
-                                             {3e3, 8e3},    {4e3, 15e2}, {1e3, 11e2}, {2e4, 6e4}};
+  lesson.settings.edit<LessonGrowth>().vertices = {10, 30};
+  lesson.settings.edit<LessonGrowth>().times = {"a processor", {2e3, 9e6}, {7e3},
+                                                {4e3, 5e3},    {3e3, 8e3}, {4e3, 15e2},
+                                                {1e3, 11e2},   {2e4, 6e4}};
   lesson.questions.clear();
   return lesson;
 }
@@ -67,8 +68,8 @@ TEST(CostFrames, SayWhatWasTimed) {
 
 TEST(CostFrames, TheShippedTimesBelongToTheSizes) {
   const Lesson lesson = testing::shipped_lesson("general-growth");
-  ASSERT_TRUE(lesson.table.as<LessonGrowth>()->times);
-  const GrowthTimes& times = *lesson.table.as<LessonGrowth>()->times;
+  ASSERT_TRUE(lesson.settings.as<LessonGrowth>()->times);
+  const GrowthTimes& times = *lesson.settings.as<LessonGrowth>()->times;
   EXPECT_TRUE(std::is_sorted(times.pairs.begin(), times.pairs.end()));
   EXPECT_LT(1000.0 * times.boxes.back(), times.pairs.back()) << "a thousand times faster";
 }

@@ -43,7 +43,7 @@ TEST(DepthFrames, GoThroughEveryStepAndEndWithTheAnswer) {
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       EXPECT_EQ(texts[i + 1].iteration, trace.steps[i].iteration);
       EXPECT_EQ(texts[i + 1].phase,
-                run.act->algorithm->phases[static_cast<std::size_t>(trace.steps[i].phase)]);
+                run.tour->algorithm->phases[static_cast<std::size_t>(trace.steps[i].phase)]);
       EXPECT_EQ(value_of_text(texts[i + 1], "lower"), Numbers(lesson)(trace.steps[i].bounds.lower));
     }
     EXPECT_EQ(texts.back().phase, "answer");

@@ -58,7 +58,7 @@ bool inside(const Rect& outer, const Rect& inner) {
 
 /// True for labels of the vertices of a shape that moves.
 bool moves(const Lesson& lesson, const std::string& role) {
-  if (lesson.table.as<LessonStudy>()) return true;  // each pair has shapes of its own
+  if (lesson.settings.as<LessonStudy>()) return true;  // each pair has shapes of its own
   if (!lesson.path_of_shapes) return false;
   const bool of_x = role == "shape.x.label";
   return !(of_x ? lesson.path_of_shapes->x() : lesson.path_of_shapes->y()).points.empty();
@@ -570,7 +570,7 @@ TEST(Panel, WeightsAreOfTheSimplexWhateverItIs) {
   lesson.y().vertex_names.resize(1);
   lesson.options.start.pairs[0] = {0, 0};
   lesson.options.start.count = 1;
-  lesson.act = "phase";
+  lesson.tour = "phase";
   EXPECT_FALSE(says(lesson, "|²"));
 }
 
@@ -903,7 +903,7 @@ TEST(TwoRuns, DigitsThatDifferAreUnderlined) {
 /// Two polygons in double, and in exact arithmetic beside it.
 LessonRun two_runs_of_polygons() {
   Lesson lesson = testing::shipped_lesson("polygons-gjk");
-  lesson.table = ActTable(LessonSecond{.scalar = ScalarKind::exact});
+  lesson.settings = TourSettings(LessonSecond{.scalar = ScalarKind::exact});
   for (LessonView& view : lesson.views) view.effects.emplace_back("second-run");
   lesson.panel = {"pseudocode", "two-runs"};
   return run_lesson(lesson);

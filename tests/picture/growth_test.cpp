@@ -19,8 +19,8 @@ namespace growth_test {
 
 Lesson small_lesson() {
   Lesson lesson = testing::shipped_lesson("lazy-hull");
-  lesson.table.edit<LessonGrowth>().vertices = {3, 10, 100, 1000, 3000};
-  lesson.table.edit<LessonGrowth>().runs = 20;
+  lesson.settings.edit<LessonGrowth>().vertices = {3, 10, 100, 1000, 3000};
+  lesson.settings.edit<LessonGrowth>().runs = 20;
   lesson.questions.clear();
   return lesson;
 }
@@ -30,7 +30,7 @@ struct RunTexts {
       : run(run_lesson(std::move(lesson))), effects(run), texts(lesson_texts(run, effects)) {}
   /// The text of a size, of the outcome, or of slow runs.
   [[nodiscard]] const FrameText& at(int detail) const {
-    const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
+    const std::vector<int>& sizes = run.lesson.settings.as<LessonGrowth>()->vertices;
     const std::size_t slow = sizes.front() <= SlowGrowth::kMost ? 1 : 0;
     return texts[texts.size() - 1 - slow - sizes.size() + static_cast<std::size_t>(detail)];
   }

@@ -173,19 +173,19 @@ TEST(Linked, WarmStartsAreChartedBesideColdOnes) {
 TEST(Linked, EveryLessonCanBeToldByAnswersSupportPointsAndWeights) {
   const Fonts fonts(std::filesystem::path(GJKSCOPE_SOURCE_DIR) / "assets" / "fonts.toml");
   for (Lesson lesson : testing::lessons_for_long_tests()) {
-    // Parts that go with the lesson's own act stay away.
+    // Parts that go with the lesson's own tour stay away.
     std::erase_if(lesson.views, [](const LessonView& view) { return view.kind == ViewKind::plot; });
     std::erase_if(lesson.panel, [](const std::string& name) {
       const Term& block = *find_term(vocabulary().blocks, name);
-      return !block.act.empty() || !block.table.empty();
+      return !block.tour.empty() || !block.table.empty();
     });
     for (LessonView& view : lesson.views) std::erase(view.effects, "second-run");
     lesson.listing = "gjk";
     lesson.phases.clear();
-    lesson.table = {};
+    lesson.settings = {};
     lesson.questions.clear();
-    for (const char* act : {"answer", "support", "witness"}) {
-      lesson.act = act;
+    for (const char* tour : {"answer", "support", "witness"}) {
+      lesson.tour = tour;
       const LessonRun run = run_lesson(lesson);
       EffectGraph effects(run);
       for (const FramePicture& frame : lesson_pictures(run, effects, fonts)) {

@@ -105,13 +105,13 @@ TEST(RoundShapes, TheLastFrameSubtractsTheRadii) {
   EXPECT_EQ(effects.count(RoundShapes::kName).pulls, 0);
 }
 
-TEST(RoundShapes, EveryGranularityThatTakesThemSaysWhatIsLeft) {
-  int acts = 0;
-  for (const Act* act : vocabulary().acts) {
-    if (!act->needs.takes_radius) continue;
-    ++acts;
+TEST(RoundShapes, EveryTourThatTakesThemSaysWhatIsLeft) {
+  int tours = 0;
+  for (const Tour* tour : vocabulary().tours) {
+    if (!tour->needs.takes_radius) continue;
+    ++tours;
     Lesson lesson = lesson_with_y_moved_by({0.0, 0.0});
-    lesson.act = act->name;
+    lesson.tour = tour->name;
     const LessonRun run = run_lesson(lesson);
     const std::vector<FrameText> texts = testing::texts_of(run);
     EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
@@ -119,9 +119,9 @@ TEST(RoundShapes, EveryGranularityThatTakesThemSaysWhatIsLeft) {
                               return text.detail.find("1.750 between") != std::string::npos;
                             }),
               1)
-        << act->name;
+        << tour->name;
   }
-  EXPECT_EQ(acts, 4);
+  EXPECT_EQ(tours, 4);
 }
 
 TEST(RoundShapes, OutlinesKeepTheirDistanceAndStayInSight) {
@@ -205,12 +205,12 @@ TEST(RoundShapes, AFileMayHaveThemWhereFramesTellTheEndOfARun) {
   };
   EXPECT_EQ(problem("radius = 0.5", "radius = -0.5"), "'radius' is -0.5");
   Lesson other = lesson;
-  other.act = "test";
+  other.tour = "test";
   other.questions.clear();
   other.y().radius = 0.0;
   const LoadedLesson refused = loaded(lesson_toml(other));
   ASSERT_FALSE(refused.problems.empty());
-  EXPECT_EQ(refused.problems.back().what, "'radius' with granularity 'test'");
+  EXPECT_EQ(refused.problems.back().what, "'radius' with tour 'test'");
 }
 
 }  // namespace round_shapes_test

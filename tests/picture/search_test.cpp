@@ -59,7 +59,7 @@ TEST(SearchFrames, AVertexThatIsMovedBuildsTheTreesAnew) {
       const models::Box* box = std::get_if<models::Box>(&volume);
       if (box != nullptr) return box->low.x() <= -2.0 && box->high.x() >= -2.0;
       const models::Circle& circle = std::get<models::Circle>(volume);
-      return circle.centre.x() - circle.radius <= -2.0;
+      return circle.center.x() - circle.radius <= -2.0;
     };
     EXPECT_FALSE(reaches(search_trace(before, 0)->tree_y[0].volume));
     EXPECT_TRUE(reaches(search.tree_y[0].volume));

@@ -9,11 +9,11 @@
 #include "base/decimal.hpp"
 #include "frames/frame.hpp"
 #include "lessons.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/dot_words.hpp"
 #include "subjects/study/plot.hpp"
 #include "subjects/study/rounded_pair.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -21,7 +21,7 @@ namespace study_test {
 
 struct Shown {
   Shown() : run(run_lesson(testing::shipped_lesson("accuracy-cost"))), effects(run) {}
-  [[nodiscard]] const LessonStudy& study() const { return *run.lesson.table.as<LessonStudy>(); }
+  [[nodiscard]] const LessonStudy& study() const { return *run.lesson.settings.as<LessonStudy>(); }
   [[nodiscard]] std::vector<StudyDot> family() const {
     return of_family(study().dots(), study().family);
   }

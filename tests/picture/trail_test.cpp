@@ -41,7 +41,7 @@ TEST(Trail, EndsEachSingleRunOfSeveralIterationsThatIsFollowedToItsEnd) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
     const LessonRun run = run_lesson(lesson);
-    const bool steps = lesson.act == "phase" || lesson.act == "iteration";
+    const bool steps = lesson.tour == "phase" || lesson.tour == "iteration";
     const bool is_one = run.runs.size() == 1 && !lesson.until;
     const auto last = run.runs.front().trace.steps.size();
     const bool has_end = steps && run.frames.back().step + 1 == static_cast<int>(last);

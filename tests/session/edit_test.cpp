@@ -177,8 +177,8 @@ TEST(Edit, ASecondRunCanBeToldOfEveryLessonOfStepsAndTakenBack) {
   int tried = 0;
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
-    if (run.act->algorithm != &kGjkAlgorithm || !run.act->follows_run ||
-        run.act->needs.table != &LessonSecond::kKind)
+    if (run.tour->algorithm != &kGjkAlgorithm || !run.tour->follows_run ||
+        run.tour->needs.settings != &LessonSecond::kKind)
       continue;
     SCOPED_TRACE(lesson.id);
     const ScalarKind other =
@@ -208,7 +208,7 @@ TEST(Edit, AnyLessonTakesABoxOrSaysWhatItNeeds) {
       }
       ++taken;
       const LessonRun run = run_lesson(boxed);
-      if (!run.act->algorithm->takes_outlines) {
+      if (!run.tour->algorithm->takes_outlines) {
         EXPECT_EQ(gjk::Error::none, run.runs.front().trace.result.error);
       }
     }
@@ -229,8 +229,8 @@ TEST(Edit, TheNearestEdgeIsFoundByDistance) {
 TEST(Edit, EveryLessonOfGjkCanBeToldByTheExpandingPolygonOrPolytope) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     SCOPED_TRACE(lesson.id);
-    if (run_lesson(lesson).act->algorithm->takes_outlines) continue;
-    const Lesson tried = edit::with_act(lesson, kDepthAlgorithm);
+    if (run_lesson(lesson).tour->algorithm->takes_outlines) continue;
+    const Lesson tried = edit::with_tour(lesson, kDepthAlgorithm);
     const LoadedLesson read = parse_lesson(lesson_toml(tried), lesson.path, vocabulary());
     for (const Problem& problem : read.problems) ADD_FAILURE() << to_string(problem);
     const LessonRun run = run_lesson(tried);

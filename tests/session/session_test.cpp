@@ -833,8 +833,8 @@ TEST(Session, WhoStandsAtTheLastFrameStaysThere) {
 std::vector<Lesson> lessons_of_outlines() {
   std::vector<Lesson> out;
   for (Lesson& lesson : testing::shipped_lessons()) {
-    const Act* act = vocabulary().act(lesson.act);
-    if (act->algorithm->takes_outlines && !lesson.table.as<LessonGrowth>())
+    const Tour* tour = vocabulary().tour(lesson.tour);
+    if (tour->algorithm->takes_outlines && !lesson.settings.as<LessonGrowth>())
       out.push_back(std::move(lesson));
   }
   return out;
@@ -878,7 +878,7 @@ TEST(Session, ACornerOfAnOutlineMayBeDraggedAnywhere) {
 
 TEST(Session, WhatDependsOnNoShapeIsMeasuredOnce) {
   Lesson lesson = shipped_lesson("lazy-hull");
-  lesson.table.edit<LessonGrowth>().vertices = {3, 5};
+  lesson.settings.edit<LessonGrowth>().vertices = {3, 5};
   Session session(fonts());
   ASSERT_TRUE(session.open(lesson, {}));
   const auto runs = [&] { return session.effects().count(Growth::kName).runs; };

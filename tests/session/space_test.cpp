@@ -153,12 +153,12 @@ TEST_F(SpaceTest, CasesOfEitherDimensionTakeItsPlace) {
   ASSERT_TRUE(session.open(shipped_lesson("minkowski-build"), "other.toml"));
   ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), space)))
       << session.problem();
-  EXPECT_EQ(session.lesson().act, "phase");
+  EXPECT_EQ(session.lesson().tour, "phase");
   // One that shows what both have.
   ASSERT_TRUE(session.open(shipped_lesson("penetration-depth"), "depth.toml"));
   ASSERT_TRUE(session.edit("case", edit::with_shapes(session.lesson(), space)))
       << session.problem();
-  EXPECT_EQ(session.lesson().act, "depth");
+  EXPECT_EQ(session.lesson().tour, "depth");
 }
 
 }  // namespace space_hand_test

@@ -121,7 +121,7 @@ TEST(Balance, IsSimulatedOnceForEachPositionAndOnlyInTime) {
   EffectGraph graph(run);
   for (const Frame& frame : run.frames) {
     const Balance::Value& value = graph.get<Balance>(frame);
-    ASSERT_EQ(value.moments.size(), run.lesson.table.as<LessonTime>()->at(frame.run).size());
+    ASSERT_EQ(value.moments.size(), run.lesson.settings.as<LessonTime>()->at(frame.run).size());
     EXPECT_DOUBLE_EQ(value.moments[*beam_moment(run, frame)].seconds, seconds_of(run, frame));
     EXPECT_GE(value.masses[0], 0.0);
     EXPECT_GE(value.masses[1], 0.0);
@@ -136,7 +136,7 @@ TEST(Balance, WhatFramesShowOfItDoesNotDependOnTheStep) {
   Lesson lesson = testing::shipped_lesson("segment-balance");
   // More moments than the lesson shows.
   const std::vector<double> swinging = {0.0, 0.15, 0.75, 2.25, 2.5, 3.0, 3.5, 4.0, 6.0};
-  lesson.table.edit<LessonTime>().moments = {
+  lesson.settings.edit<LessonTime>().moments = {
       {0.0, 3.0}, swinging, swinging, {0.0, 0.15, 0.75, 2.25, 2.5, 2.75, 2.9, 3.05, 4.0}};
   const LessonRun run = run_lesson(std::move(lesson));
   EffectGraph graph(run);
@@ -145,7 +145,7 @@ TEST(Balance, WhatFramesShowOfItDoesNotDependOnTheStep) {
     if (*beam_moment(run, frame) > 0) continue;
     const Balance::Value& value = graph.get<Balance>(frame);
     const std::vector<Beam> fine = swing(value.masses, value.weights[1],
-                                         *run.lesson.table.as<LessonTime>(), frame.run, 0x1p-16);
+                                         *run.lesson.settings.as<LessonTime>(), frame.run, 0x1p-16);
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const auto tenths = [](double angle) {
         return std::lround(angle * 1800.0 / 3.14159265358979);

@@ -70,7 +70,7 @@ TEST(Dimensions, FramesGoToTheEndOfEachRun) {
   const LessonRun run = run_lesson(shipped_lesson("dimension-m"));
   EffectGraph effects(run);
   for (std::size_t view = 0; view < 3; ++view) {
-    const FrameInView in = run.act->in_view(run, effects, run.frames.back(), view);
+    const FrameInView in = run.tour->in_view(run, effects, run.frames.back(), view);
     const PositionedRun& positioned = in.run->runs.front();
     EXPECT_EQ(in.frame.step + 1, static_cast<int>(positioned.trace.steps.size()));
     EXPECT_NE(positioned.trace.steps.back().after.stop, gjk::StopReason::running);

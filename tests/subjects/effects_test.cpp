@@ -36,7 +36,7 @@ Lesson point_and_triangle(const Vector2d& q) {
                 Eigen::Vector3d::Zero(),
                 0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
-  lesson.act = "path";
+  lesson.tour = "path";
   return lesson;
 }
 
@@ -55,11 +55,11 @@ TEST(EffectGraph, ComputesAValueWhenItIsFirstPulledAndNeverOtherwise) {
   EXPECT_EQ(graph.count("voronoi-regions").pulls, 0);
 }
 
-/// The parts of a support step that an act outside the program shows.
+/// The parts of a support step that a tour outside the program shows.
 enum class Half { before, after };
 
-TEST(FramePart, AnActTakesStepsApartByNumbersOfItsOwn) {
-  const Act halves{
+TEST(FramePart, ATourTakesStepsApartByNumbersOfItsOwn) {
+  const Tour halves{
       .name = "halves",
       .meaning = "half of a support step",
       .add_frames =
@@ -82,7 +82,7 @@ TEST(FramePart, AnActTakesStepsApartByNumbersOfItsOwn) {
     const auto half = i % 2 == 0 ? Half::before : Half::after;
     EXPECT_EQ(part_of<Half>(halves, run, frame), half);
     EXPECT_EQ(frame.part, static_cast<int>(half));
-    EXPECT_FALSE(support_part(run, frame)) << "the parts of another act";
+    EXPECT_FALSE(support_part(run, frame)) << "the parts of another tour";
     EXPECT_EQ(run.info(frame).phase, "support");
     EXPECT_TRUE(graph.get<FrameFacts>(frame).support);
   }
@@ -252,7 +252,7 @@ TEST(SecondRun, TheExactRunOfDirectionHalfIsTheOneThatIsRight) {
 
 TEST(SecondRun, InAScalarThatRoundsAlikeTheRunsDoNotPart) {
   Lesson lesson = shipped_lesson("polygon-evolution");
-  lesson.table = ActTable(LessonSecond{.scalar = ScalarKind::exact});
+  lesson.settings = TourSettings(LessonSecond{.scalar = ScalarKind::exact});
   const LessonRun run = run_lesson(lesson);
   EffectGraph graph(run);
   EXPECT_EQ(graph.get<SecondRun>(run.frames.back()).parting, -1);

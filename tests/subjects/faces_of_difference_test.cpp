@@ -141,9 +141,9 @@ TEST(FacesOfDifference, HaveWordsAndPicturesForAnyShapes) {
 
 TEST(FacesOfDifference, AreOfSpaceAlone) {
   std::string text = lesson_toml(testing::shipped_lesson("stop-vertex"));
-  text.insert(text.find("[[views]]"), "[steps]\ngranularity = \"faces-of-the-difference\"\n\n");
+  text.insert(text.find("[[views]]"), "[steps]\ntour = \"faces-of-the-difference\"\n\n");
   const LoadedLesson loaded = parse_lesson(text, "lessons/plane.toml", vocabulary());
-  EXPECT_NE(to_string(loaded.problems).find("granularity 'faces-of-the-difference' in the plane"),
+  EXPECT_NE(to_string(loaded.problems).find("tour 'faces-of-the-difference' in the plane"),
             std::string::npos)
       << to_string(loaded.problems);
 }

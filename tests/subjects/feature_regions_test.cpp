@@ -169,9 +169,9 @@ TEST(FeatureRegions, HaveWordsAndPicturesForAnyShapes) {
 
 TEST(FeatureRegions, AreOfSpaceAlone) {
   std::string text = lesson_toml(testing::shipped_lesson("stop-vertex"));
-  text.insert(text.find("[[views]]"), "[steps]\ngranularity = \"feature-regions\"\n\n");
+  text.insert(text.find("[[views]]"), "[steps]\ntour = \"feature-regions\"\n\n");
   const LoadedLesson loaded = parse_lesson(text, "lessons/plane.toml", vocabulary());
-  EXPECT_NE(to_string(loaded.problems).find("granularity 'feature-regions' in the plane"),
+  EXPECT_NE(to_string(loaded.problems).find("tour 'feature-regions' in the plane"),
             std::string::npos)
       << to_string(loaded.problems);
 }

@@ -23,8 +23,8 @@ const Growth::Value& measured_growth() {
 /// The lesson with few small polygons.
 Lesson small_lesson() {
   Lesson lesson = testing::shipped_lesson("lazy-hull");
-  lesson.table.edit<LessonGrowth>().vertices = {3, 10, 100};
-  lesson.table.edit<LessonGrowth>().runs = 20;
+  lesson.settings.edit<LessonGrowth>().vertices = {3, 10, 100};
+  lesson.settings.edit<LessonGrowth>().runs = 20;
   return lesson;
 }
 
@@ -35,7 +35,7 @@ Growth::Value growth_of(const Lesson& lesson) {
 }
 
 TEST(Growth, GoesFromTrianglesToAMillionVertices) {
-  const LessonGrowth growth = *testing::shipped_lesson("lazy-hull").table.as<LessonGrowth>();
+  const LessonGrowth growth = *testing::shipped_lesson("lazy-hull").settings.as<LessonGrowth>();
   ASSERT_EQ(measured_growth().size(), growth.vertices.size());
   EXPECT_EQ(measured_growth().front().vertices, 3);
   EXPECT_EQ(measured_growth().back().vertices, 1'000'000);
@@ -106,7 +106,7 @@ TEST(Growth, IterationsGrowWithTheLogarithmAndEachMakesOnePoint) {
 }
 
 TEST(Growth, WithinATenthOfAPercentIterationsDoNotGrow) {
-  ASSERT_EQ(testing::shipped_lesson("lazy-hull").table.as<LessonGrowth>()->tolerance, 0.001);
+  ASSERT_EQ(testing::shipped_lesson("lazy-hull").settings.as<LessonGrowth>()->tolerance, 0.001);
   for (const Growth::Sample& sample : measured_growth()) {
     SCOPED_TRACE(sample.vertices);
     EXPECT_LE(sample.within_tolerance, std::min(Growth::kLarsenMost + 0.0, sample.iterations));
@@ -118,7 +118,7 @@ TEST(Growth, WithinATenthOfAPercentIterationsDoNotGrow) {
 
 TEST(Growth, WithinToleranceIsWhereARunWithThatToleranceStops) {
   Lesson lesson = small_lesson();
-  lesson.table.edit<LessonGrowth>().tolerance = 0.01;
+  lesson.settings.edit<LessonGrowth>().tolerance = 0.01;
   const Growth::Value counted = growth_of(lesson);
   lesson.options.tolerance = 0.01;
   const Growth::Value stopped = growth_of(lesson);
@@ -130,10 +130,10 @@ TEST(Growth, FollowsTheLessonsQueryAndSeed) {
   Lesson lesson = small_lesson();
   const Growth::Value before = growth_of(lesson);
   EXPECT_EQ(growth_of(lesson).back().seen_vertices, before.back().seen_vertices);
-  ++lesson.table.edit<LessonGrowth>().seed;
+  ++lesson.settings.edit<LessonGrowth>().seed;
   EXPECT_NE(growth_of(lesson).back().seen_vertices, before.back().seen_vertices);
-  --lesson.table.edit<LessonGrowth>().seed;
-  lesson.options.start.count = 0;  // centre to centre saves an iteration or two
+  --lesson.settings.edit<LessonGrowth>().seed;
+  lesson.options.start.count = 0;  // center to center saves an iteration or two
   EXPECT_LT(growth_of(lesson).back().iterations, before.back().iterations - 0.5);
 }
 

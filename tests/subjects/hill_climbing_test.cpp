@@ -171,7 +171,7 @@ TEST(Climbs, OfTheLessonFindTheSupportPointsOfItsRun) {
 
 TEST(Climbs, OfTwoPolyhedraGoAlongDAndAgainstIt) {
   Lesson lesson = testing::shipped_lesson("polyhedra-gjk");
-  lesson.act = "hill-climbing";
+  lesson.tour = "hill-climbing";
   const LessonRun run = run_lesson(std::move(lesson));
   const ClimbTrace& trace = climbs_trace(*run.algorithm_traces[0]);
   int of_x = 0;
@@ -212,11 +212,10 @@ TEST(Climbs, AreOfSpaceAlone) {
   std::string text = lesson_toml(testing::shipped_lesson("stop-vertex"));
   const std::size_t at = text.find("[[views]]");
   ASSERT_NE(at, std::string::npos);
-  text.insert(at, "[steps]\ngranularity = \"hill-climbing\"\n\n");
+  text.insert(at, "[steps]\ntour = \"hill-climbing\"\n\n");
   const LoadedLesson loaded = parse_lesson(text, "lessons/plane.toml", vocabulary());
   EXPECT_FALSE(loaded.lesson);
-  EXPECT_NE(to_string(loaded.problems).find("granularity 'hill-climbing' in the plane"),
-            std::string::npos)
+  EXPECT_NE(to_string(loaded.problems).find("tour 'hill-climbing' in the plane"), std::string::npos)
       << to_string(loaded.problems);
 }
 

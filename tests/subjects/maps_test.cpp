@@ -24,7 +24,7 @@ LessonRun triangle_and(const Vector2d& q, bool obtuse) {
                 Eigen::Vector3d::Zero(),
                 0.0};
   lesson.options.start = {{{{0, 0}, {0, 1}, {0, 2}, {}}}, 3};
-  lesson.act = "orders";
+  lesson.tour = "orders";
   return run_lesson(lesson);
 }
 

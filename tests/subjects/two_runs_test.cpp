@@ -49,7 +49,7 @@ TEST(TwoRuns, EachLessonOfAMistakeNamesItsStep) {
     SCOPED_TRACE(file.string());
     const LessonRun run = run_of(load_lesson(file, vocabulary()));
     const TwoRunsTrace& both = trace_of(run);
-    EXPECT_TRUE(mistakes_shown.insert(run.lesson.table.as<LessonSecond>()->mistake).second);
+    EXPECT_TRUE(mistakes_shown.insert(run.lesson.settings.as<LessonSecond>()->mistake).second);
     ASSERT_TRUE(both.judgement && both.judgement->wrong);
     ASSERT_GE(both.parting, 0);
     EXPECT_EQ(both.shown[static_cast<std::size_t>(both.parting)].iteration,
@@ -104,7 +104,7 @@ TEST(TwoRuns, ALogOpensAsALesson) {
   EXPECT_EQ(both.judgement->wrong->iteration, 2);
   EXPECT_EQ(both.runs[1].runs[0].trace.result.distance, 2.4961508830135313);
   EXPECT_EQ(both.runs[1].runs[0].trace.steps.back().after.support.pair, (gjk::VertexPair{0, 1}));
-  EXPECT_EQ(run.lesson.table.file->path, "run.jsonl");
+  EXPECT_EQ(run.lesson.settings.file->path, "run.jsonl");
 }
 
 TEST(TwoRuns, WhatIsNoLogIsNone) {
@@ -150,7 +150,7 @@ vertices = [[0.0, 0.0]]
 names = ["A", "B", "C"]
 vertices = [[1000.0, 1.0], [-1000.0, 1.0001], [0.5, 1.00003]]
 [steps]
-granularity = "two-runs"
+tour = "two-runs"
 [second]
 scalar = "half"
 [[views]]
@@ -171,7 +171,7 @@ TEST(TwoRuns, AScalarWithoutNumbersForTheShapesHasNoRun) {
   Lesson lesson = load_lesson(kLessons / "mistake-nearest.toml", vocabulary()).lesson.value();
   LessonSecond second;
   second.scalar = ScalarKind::half;
-  lesson.table = ActTable(second);
+  lesson.settings = TourSettings(second);
   lesson.y().translate.x() = 1e6;
   const LessonRun run = run_lesson(lesson);
   EXPECT_FALSE(trace_of(run).fits);
@@ -195,11 +195,11 @@ TEST(TwoRuns, TheReportedOverlapGoesWrongInItsSupportPoint) {
 /// not.
 TEST(TwoRuns, OtherRulesMakeASecondRun) {
   Lesson lesson = load_lesson(kLessons / "direction-half.toml", vocabulary()).lesson.value();
-  lesson.act = "two-runs";
+  lesson.tour = "two-runs";
   lesson.questions.clear();
   lesson.panel = {"both-runs", "two-answers"};
   for (LessonView& view : lesson.views) view.effects.clear();
-  lesson.table = ActTable(LessonSecond{.direction = gjk::DirectionRule::perpendicular});
+  lesson.settings = TourSettings(LessonSecond{.direction = gjk::DirectionRule::perpendicular});
   const LessonRun run = run_lesson(lesson);
   const TwoRunsTrace& both = trace_of(run);
   EXPECT_FALSE(both.judgement);
@@ -237,7 +237,7 @@ TEST(TwoRuns, TheTableSaysOneRun) {
     const std::string text =
         "title = \"t\"\nchapter = 8\norder = 1\nsource = \"s\"\nprose = "
         "\"p\"\n[shapes.X]\nvertices "
-        "= [[0, 0]]\n[shapes.Y]\nvertices = [[1, 1]]\n[steps]\ngranularity = "
+        "= [[0, 0]]\n[shapes.Y]\nvertices = [[1, 1]]\n[steps]\ntour = "
         "\"two-runs\"\n[second]\n" +
         second + "[[views]]\nshow = \"world\"\n[expect]\nstop = \"repeated-support\"\n";
     const LoadedLesson loaded = parse_lesson(text, "t.toml", vocabulary());

@@ -224,9 +224,9 @@ TEST(SpaceWalkGrowth, PairsDoNotGrowWithTheBodiesWhenTheWalkStartsFromTheLast) {
 
 TEST(WalkInSpace, IsOfSpaceAlone) {
   std::string text = lesson_toml(testing::shipped_lesson("stop-vertex"));
-  text.insert(text.find("[[views]]"), "[steps]\ngranularity = \"lin-canny-in-space\"\n\n");
+  text.insert(text.find("[[views]]"), "[steps]\ntour = \"lin-canny-in-space\"\n\n");
   const LoadedLesson loaded = parse_lesson(text, "lessons/plane.toml", vocabulary());
-  EXPECT_NE(to_string(loaded.problems).find("granularity 'lin-canny-in-space' in the plane"),
+  EXPECT_NE(to_string(loaded.problems).find("tour 'lin-canny-in-space' in the plane"),
             std::string::npos)
       << to_string(loaded.problems);
 }

@@ -31,8 +31,8 @@
 #include "study/configuration.hpp"
 #include "subjects/course_map/tiles.hpp"
 #include "subjects/second_run/table.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 #include "subjects/subjects.hpp"
 
 namespace gjkscope {
@@ -323,7 +323,7 @@ TEST(App, ALessonWithATableOfItsOwnTakesNoSecondRun) {
 TEST(App, EachEffectThatItOffersIsTakenByTheLesson) {
   int offered = 0;
   for (const Lesson& lesson : testing::shipped_lessons()) {
-    if (lesson.table.file) continue;  // the file is looked for in the lesson's folder
+    if (lesson.settings.file) continue;  // the file is looked for in the lesson's folder
     for (const EffectInfo* info : offered_effects(lesson)) {
       Lesson with = lesson;
       for (LessonView& view : with.views) {
@@ -654,7 +654,7 @@ TEST(App, ALogOpensBesideTheRunOfGjk) {
   window.app().open_path(file);
   window.frame();
   EXPECT_EQ("", window.app().message());
-  EXPECT_EQ("two-runs", window.session().lesson().act);
+  EXPECT_EQ("two-runs", window.session().lesson().tour);
   EXPECT_TRUE(window.session().file().empty()) << "a log is not saved over";
   EXPECT_NE(std::string::npos, window.session().text().caption.find("The logged run answers 3"));
   write_whole(file, std::string_view("{\"gjk_log\":1,\"a\":[[0,0]]}\n"));
@@ -1380,7 +1380,7 @@ TEST(App, AnExactRunOfManyVerticesDoesNotHoldUpTheWindow) {
 TEST(Study, ADotOpensItsWorstRunAndBReturns) {
   HeadlessApp window("accuracy-cost");
   Session& session = window.session();
-  const LessonStudy study = *session.lesson().table.as<LessonStudy>();
+  const LessonStudy study = *session.lesson().settings.as<LessonStudy>();
   const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   const int all = session.frame_count() - 2;  // the frame that shows all dots
   session.go_to(all);
@@ -1417,7 +1417,7 @@ TEST(Study, EnterOpensTheRunOfTheConfigurationThatTheFrameIntroduces) {
   Session& session = window.session();
   window.key("Enter");
   EXPECT_EQ(session.lesson().id, "accuracy-cost") << "the first frame introduces none";
-  const std::vector<StudyMark> marks = session.lesson().table.as<LessonStudy>()->marks;
+  const std::vector<StudyMark> marks = session.lesson().settings.as<LessonStudy>()->marks;
   int opened = 0;
   for (int i = 0; i < session.frame_count(); ++i) {
     const StudyFrame shown =
@@ -1442,7 +1442,7 @@ TEST(Study, EveryDotOpens) {
   window.session().go_to(window.session().frame_count() - 2);
   window.settle();
   const std::vector<StudyDot> family =
-      of_family(window.session().lesson().table.as<LessonStudy>()->dots(), "nearly parallel");
+      of_family(window.session().lesson().settings.as<LessonStudy>()->dots(), "nearly parallel");
   std::set<std::string> titles;
   for (std::size_t i = 0; i < family.size(); ++i) {
     if (!family[i].error) continue;
@@ -1461,12 +1461,12 @@ TEST(Study, TheDrawerChoosesTheFamilyAndUndoTakesItBack) {
   window.key("A");
   window.settle();
   Lesson lesson = window.session().lesson();
-  lesson.table.edit<LessonStudy>().family = "random";
+  lesson.settings.edit<LessonStudy>().family = "random";
   EXPECT_TRUE(window.app().edit("family", std::move(lesson)));
   window.settle();
-  EXPECT_EQ(window.session().lesson().table.as<LessonStudy>()->family, "random");
+  EXPECT_EQ(window.session().lesson().settings.as<LessonStudy>()->family, "random");
   window.key("Z", true);
-  EXPECT_EQ(window.session().lesson().table.as<LessonStudy>()->family, "nearly parallel");
+  EXPECT_EQ(window.session().lesson().settings.as<LessonStudy>()->family, "nearly parallel");
 }
 
 TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
@@ -1474,20 +1474,20 @@ TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
   const fs::path results = folder.path() / "accuracy.json";
   fs::copy_file(fs::path(GJKSCOPE_SOURCE_DIR) / "lessons" / "accuracy-cost.json", results);
   HeadlessApp window(results.string());
-  ASSERT_TRUE(window.session().lesson().table.as<LessonStudy>());
-  EXPECT_FALSE(window.session().lesson().table.as<LessonStudy>()->marks.empty());
+  ASSERT_TRUE(window.session().lesson().settings.as<LessonStudy>());
+  EXPECT_FALSE(window.session().lesson().settings.as<LessonStudy>()->marks.empty());
   fs::create_directories(folder.path() / "elsewhere");
   const fs::path saved = folder.path() / "elsewhere" / "mine.toml";
   window.app().save_to(saved);
   const LoadedLesson read = load_lesson(saved, vocabulary());
   ASSERT_TRUE(read.lesson) << to_string(read.problems.at(0));
   EXPECT_EQ(read.lesson->table.as<LessonStudy>()->dots(),
-            window.session().lesson().table.as<LessonStudy>()->dots());
+            window.session().lesson().settings.as<LessonStudy>()->dots());
 
   std::ofstream(results) << R"({"machine": {"processor": "abacus"}, "rows": [{"family": 3}]})";
   window.app().open_path(results);
   EXPECT_NE(window.app().message().find("row 1: "), std::string::npos) << window.app().message();
-  EXPECT_TRUE(window.session().lesson().table.as<LessonStudy>()) << "what was open stays";
+  EXPECT_TRUE(window.session().lesson().settings.as<LessonStudy>()) << "what was open stays";
 }
 
 }  // namespace app_test

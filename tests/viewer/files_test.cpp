@@ -759,7 +759,7 @@ TEST(Views, DepthIsTitledAsWhatItIs) {
   window.key("End");
   show_depth(window.app());
   EXPECT_NE(before, window.session().lesson().title);
-  EXPECT_EQ("depth", window.session().lesson().act);
+  EXPECT_EQ("depth", window.session().lesson().tour);
 }
 
 TEST(Views, ADentIsSaid) {

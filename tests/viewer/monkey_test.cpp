@@ -22,7 +22,7 @@ class Monkey {
  public:
   Monkey(HeadlessApp& window, std::uint64_t seed) : window_(window), bits_(seed) {}
 
-  void act() {
+  void tour() {
     static const std::array<const char*, 34> kKeys = {
         "Right", "Left", "Home", "End", "PageUp", "PageDown", "Space", "Tab", "Delete",
         "A",     "C",    "E",    "F",   "G",      "L",        "N",     "O",   "P",
@@ -91,7 +91,7 @@ TEST(Monkey, RandomEventsBreakNothing) {
     window.app().copy = [&](const std::string& text) { clipboard = text; };
     window.app().paste = [&] { return clipboard; };
     Monkey monkey(window, static_cast<std::uint64_t>(round) + 1);
-    for (int i = 0; i < event_count() / rounds; ++i) monkey.act();
+    for (int i = 0; i < event_count() / rounds; ++i) monkey.tour();
     ImGui::GetIO().MouseDown[0] = false;
     window.settle();
     // The lesson can be written and read again.

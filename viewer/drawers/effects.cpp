@@ -185,9 +185,9 @@ std::optional<std::vector<bool>> EffectTrial::frames_changed_by(std::size_t view
 std::vector<const EffectInfo*> offered_effects(const Lesson& lesson) {
   std::vector<const EffectInfo*> out;
   for (const EffectInfo* info : registered_effects()) {
-    const bool fits = (info->act.empty() || info->act == lesson.act) &&
+    const bool fits = (info->tour.empty() || info->tour == lesson.tour) &&
                       is_shown_of(info->shown_of, lesson.dimension);
-    if (info->used_by == "view" && fits && has_table(lesson, info->table)) out.push_back(info);
+    if (info->used_by == "view" && fits && has_settings(lesson, info->table)) out.push_back(info);
   }
   return out;
 }

@@ -96,10 +96,10 @@ bool choose_options(ScalarKind& scalar, gjk::Options& options) {
     options.iteration_cap = cap;
     changed = true;
   }
-  bool centres = options.start.count == 0;
-  if (ImGui::Checkbox("start between the centres", &centres)) {
+  bool centers = options.start.count == 0;
+  if (ImGui::Checkbox("start between the centers", &centers)) {
     options.start = {};
-    options.start.count = centres ? 0 : 1;
+    options.start.count = centers ? 0 : 1;
     changed = true;
   }
   return changed;
@@ -200,8 +200,8 @@ ScalarKind scalar_beside(const Lesson& lesson, ScalarKind wanted) {
 
 /// Whether frames show steps of GJK, beside which those of another run can stand.
 bool can_tell_twice(const Session& session) {
-  const Act& act = *session.run().act;
-  return act.follows_run && act.needs.table == &LessonSecond::kKind;
+  const Tour& tour = *session.run().tour;
+  return tour.follows_run && tour.needs.settings == &LessonSecond::kKind;
 }
 
 void tell_twice(App& app, ScalarKind wanted) {

@@ -88,7 +88,7 @@ std::optional<double> edit_number(App& app, double value, float width) {
 
 /// Typed, or in round steps; only where frames tell what comes of it.
 void draw_radius(App& app, std::size_t body) {
-  if (!app.session().run().act->needs.takes_radius) return;
+  if (!app.session().run().tour->needs.takes_radius) return;
   const double now = app.session().lesson().bodies[body].radius;
   ImGui::PushID("radius");
   ImGui::AlignTextToFramePadding();

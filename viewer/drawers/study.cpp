@@ -14,8 +14,8 @@
 #include "base/decimal.hpp"
 #include "lesson/load.hpp"
 #include "study/configuration.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 #include "subjects/subjects.hpp"
 #include "widgets.hpp"
 
@@ -57,7 +57,7 @@ std::string difference_from_lesson(const study::Configuration& configuration) {
     default:
       break;
   }
-  return configuration.start == study::Start::warm ? " Stepped from a start between the centres."
+  return configuration.start == study::Start::warm ? " Stepped from a start between the centers."
                                                    : "";
 }
 
@@ -87,7 +87,7 @@ struct Study {
 
   /// The dots that the lesson's plot shows, by their index; empty without a study.
   [[nodiscard]] std::vector<StudyDot> dots() const {
-    const LessonStudy* study = session().lesson().table.as<LessonStudy>();
+    const LessonStudy* study = session().lesson().settings.as<LessonStudy>();
     return study ? of_family(study->dots(), study->family) : std::vector<StudyDot>();
   }
 
@@ -132,7 +132,7 @@ struct Study {
   }
 
   void open_introduced() {
-    const LessonStudy* study = session().lesson().table.as<LessonStudy>();
+    const LessonStudy* study = session().lesson().settings.as<LessonStudy>();
     const StudyFrame shown = study_frame(session().run(), session().frame()).value_or(StudyFrame{});
     if (shown.stage != StudyStage::mark)
       return app.say("this frame introduces no configuration of a study");
@@ -161,7 +161,7 @@ struct Study {
 
   void draw() {
     if (can_go_back() && ImGui::Button("Back to the study (B)")) return go_back();
-    const LessonStudy* study = session().lesson().table.as<LessonStudy>();
+    const LessonStudy* study = session().lesson().settings.as<LessonStudy>();
     if (!study) {
       ImGui::TextWrapped(
           "Error against time of every way to run GJK. Open the accuracy.json that "
@@ -178,7 +178,7 @@ struct Study {
     }
     if (family != study->family) {
       Lesson lesson = session().lesson();
-      LessonStudy& shown = lesson.table.edit<LessonStudy>();
+      LessonStudy& shown = lesson.settings.edit<LessonStudy>();
       shown.family = family;
       shown.marks = marks_to_show(of_family(shown.dots(), family));
       app.edit("family", std::move(lesson));
@@ -239,12 +239,12 @@ void open_results(App& app, std::string_view json, const fs::path& file) {
   if (!loaded.lesson) return app.say(to_string(loaded.problems.front()), true);
   Lesson lesson = std::move(*loaded.lesson);
   const std::vector<std::string> families = families_in(study.dots());
-  const std::string& shipped = lesson.table.as<LessonStudy>()->family;
+  const std::string& shipped = lesson.settings.as<LessonStudy>()->family;
   const bool has_family = std::find(families.begin(), families.end(), shipped) != families.end();
   study.family = has_family ? shipped : families.front();
   study.marks = marks_to_show(of_family(study.dots(), study.family));
-  lesson.table = ActTable(std::move(study));
-  lesson.table.file = {fs::absolute(file).string(), std::make_shared<const std::string>(json)};
+  lesson.settings = TourSettings(std::move(study));
+  lesson.settings.file = {fs::absolute(file).string(), std::make_shared<const std::string>(json)};
   if (app.show(std::move(lesson), {}, file.string())) app.show_drawer("Study");
 }
 
@@ -259,7 +259,7 @@ Drawer study_drawer(App& app) {
                       {"Enter"},
                       [study] { study->open_introduced(); },
                       [&app] {
-                        return app.session().lesson().table.as<LessonStudy>() &&
+                        return app.session().lesson().settings.as<LessonStudy>() &&
                                !app.session().question();
                       }},
                      {"Back to the study", "Study", {"B"}, [study] { study->go_back(); }}};

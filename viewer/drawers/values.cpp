@@ -32,7 +32,7 @@ void draw_values(App& app) {
     }
     ImGui::EndTable();
   }
-  if (run.act->algorithm == &kGjkAlgorithm &&
+  if (run.tour->algorithm == &kGjkAlgorithm &&
       depth_on_overlap(app.session().effects(), run, app.session().frame()) != nullptr &&
       ImGui::Button("Show how it is found"))
     show_depth(app);
@@ -71,9 +71,9 @@ std::vector<NamedValue> values_now(App& app) {
     value("lower bound", run.bounds(frame).lower);
     value("upper bound", run.bounds(frame).upper);
   }
-  if (run.act->algorithm != &kGjkAlgorithm) {
+  if (run.tour->algorithm != &kGjkAlgorithm) {
     for (const auto& [name, written] : app.session().text().values) text(name, written);
-    for (const std::string_view name : run.act->algorithm->answers)
+    for (const std::string_view name : run.tour->algorithm->answers)
       value(std::string(name) + " in the end", run.algorithm_trace(frame).answer(name));
   }
   const WideTrace& trace = run.run(frame).trace;
@@ -95,7 +95,7 @@ std::vector<NamedValue> values_now(App& app) {
 }
 
 void show_depth(App& app) {
-  Lesson lesson = edit::with_act(app.session().lesson(), kDepthAlgorithm);
+  Lesson lesson = edit::with_tour(app.session().lesson(), kDepthAlgorithm);
   const bool in_space = lesson.dimension == 3;
   const char* polygon = in_space ? "polytope" : "polygon";
   const char* edge = in_space ? "face" : "edge";

@@ -111,7 +111,7 @@ class Player {
     if (std::sscanf(text.c_str(), "frame:%d", &out.x) == 1) return {Kind::frame, out.x};
     if (std::sscanf(text.c_str(), "dot:%d", &out.x) == 1) return {Kind::study_dot, out.x};
     if (text.starts_with("phase:")) {
-      const std::span<const std::string_view> phases = app_.session().run().act->algorithm->phases;
+      const std::span<const std::string_view> phases = app_.session().run().tour->algorithm->phases;
       const auto phase = std::find(phases.begin(), phases.end(), text.substr(6));
       if (phase != phases.end()) return {Kind::phase, static_cast<int>(phase - phases.begin())};
     }

@@ -6,7 +6,7 @@
 namespace gjk {
 
 /// The pair that a run starts from when it is given none: the support point of Z along the line
-/// between the centres of the shapes. It is chosen in double, whatever the run computes in, so that
+/// between the centers of the shapes. It is chosen in double, whatever the run computes in, so that
 /// runs of one query start alike in every scalar. Only queries that double cannot hold choose for
 /// themselves.
 template <class R, class S, int D>

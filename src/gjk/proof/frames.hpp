@@ -1,6 +1,6 @@
 #pragma once
-// The frames in which a run reads vertices: a unit of length, a centre for each shape, and the
-// offset between the centres.
+// The frames in which a run reads vertices: a unit of length, a center for each shape, and the
+// offset between the centers.
 
 #include "gjk/proof/error_free.hpp"
 #include "gjk/query.hpp"
@@ -15,13 +15,13 @@ inline constexpr int kMaxPlaced = 8;
 template <class R, int D>
 struct Body {
   // As in Measures:
-  Vec<R, D> centre = Vec<R, D>::Zero();  ///< In the shape's own frame and unit.
+  Vec<R, D> center = Vec<R, D>::Zero();  ///< In the shape's own frame and unit.
   bool is_ring = false;
   std::array<int, 2> far_apart = {};
   R radius = R(0);  ///< In the run's unit.
 
   int placed_count = 0;  ///< 0 for a large shape, and for exact scalars.
-  /// The vertices relative to the centre, in world axes and the run's unit.
+  /// The vertices relative to the center, in world axes and the run's unit.
   std::array<Vec<R, D>, kMaxPlaced> placed;
 };
 
@@ -33,10 +33,10 @@ struct Frames {
   int exponent = 0;
   R unit = R(1);            ///< 2^-exponent, for scalars that round.
   bool same_frame = false;  ///< One unturned pose for both: differences of vertices round once.
-  bool centred = false;     ///< True when a centre is not the origin of its shape's frame.
+  bool centerd = false;     ///< True when a center is not the origin of its shape's frame.
   Body<R, D> x;
   Body<R, D> y;
-  /// From the centre of X to that of Y, in world axes and the run's unit.
+  /// From the center of X to that of Y, in world axes and the run's unit.
   Vec<R, D> offset = Vec<R, D>::Zero();
   R offset_error = R(0);
 
@@ -84,14 +84,14 @@ template <class R, class S, int D>
   return shape.pose.template rotated<Word>(converted<Word, R, D>(frames.in_unit(local)));
 }
 
-/// From the centre of X to that of Y, computed with about twice the digits and rounded once.
+/// From the center of X to that of Y, computed with about twice the digits and rounded once.
 template <class R, class S, int D>
-[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centres(const Query<S, D>& query,
+[[nodiscard, gnu::noinline]] Vec<R, D> offset_of_centers(const Query<S, D>& query,
                                                          const Frames<R, D>& frames) {
   // In one frame vertices of Z are made without it: it only gives the start and the reach of Z.
-  if (frames.same_frame) return frames.in_unit(frames.y.centre - frames.x.centre);
-  const Vec<DoubleWord<R>, D> x = careful_point(query.x, frames.x.centre, frames);
-  const Vec<DoubleWord<R>, D> y = careful_point(query.y, frames.y.centre, frames);
+  if (frames.same_frame) return frames.in_unit(frames.y.center - frames.x.center);
+  const Vec<DoubleWord<R>, D> x = careful_point(query.x, frames.x.center, frames);
+  const Vec<DoubleWord<R>, D> y = careful_point(query.y, frames.y.center, frames);
   return converted<R, DoubleWord<R>, D>(offset_of_origins(query, frames) + (y - x));
 }
 
@@ -107,11 +107,11 @@ void set_frames(const MeasuredQuery<S, D>& measured, int exponent, Frames<R, D>&
     frames.offset = frames.in_unit(converted<R, S, D>(query.y.pose.translation) -
                                    converted<R, S, D>(query.x.pose.translation));
   } else {
-    frames.centred = measured.x.is_centred || measured.y.is_centred;
-    if (frames.centred) {
-      frames.x.centre = converted<R, S, D>(measured.x.centre);
-      frames.y.centre = converted<R, S, D>(measured.y.centre);
-      frames.offset = offset_of_centres<R>(query, frames);
+    frames.centerd = measured.x.is_centerd || measured.y.is_centerd;
+    if (frames.centerd) {
+      frames.x.center = converted<R, S, D>(measured.x.center);
+      frames.y.center = converted<R, S, D>(measured.y.center);
+      frames.offset = offset_of_centers<R>(query, frames);
       frames.offset_error = ScalarTraits<R>::unit_roundoff() * length(frames.offset);
     } else {
       const Vec<DoubleWord<R>, D> offset = offset_of_origins(query, frames);
@@ -123,15 +123,15 @@ void set_frames(const MeasuredQuery<S, D>& measured, int exponent, Frames<R, D>&
   }
 }
 
-/// Vertex i relative to its shape's centre, in the shape's own axes and the run's unit.
+/// Vertex i relative to its shape's center, in the shape's own axes and the run's unit.
 template <class R, class S, int D>
-[[nodiscard]] Vec<R, D> from_centre(const Shape<S, D>& shape, const Frames<R, D>& frames,
+[[nodiscard]] Vec<R, D> from_center(const Shape<S, D>& shape, const Frames<R, D>& frames,
                                     const Body<R, D>& body, int i) {
   const auto& vertex = converted<R, S, D>(shape.vertices()[i]);
-  return frames.in_unit(frames.centred ? Vec<R, D>(vertex - body.centre) : Vec<R, D>(vertex));
+  return frames.in_unit(frames.centerd ? Vec<R, D>(vertex - body.center) : Vec<R, D>(vertex));
 }
 
-/// Sets all of one body but its centre.
+/// Sets all of one body but its center.
 template <class R, class S, int D>
 void place(const Shape<S, D>& shape, const Measures<S, D>& measures, const Frames<R, D>& frames,
            Body<R, D>& body) {
@@ -142,7 +142,7 @@ void place(const Shape<S, D>& shape, const Measures<S, D>& measures, const Frame
   if (count > kMaxPlaced) return;
   body.placed_count = count;
   for (int i = 0; i < count; ++i) {
-    body.placed[i] = shape.pose.template rotated<R>(from_centre(shape, frames, body, i));
+    body.placed[i] = shape.pose.template rotated<R>(from_center(shape, frames, body, i));
   }
 }
 

@@ -120,14 +120,14 @@ struct Measures {
   /// A run subtracts this point from every vertex, so that rounding depends on the shape's size and
   /// not on its place: the middle of its box if it lies far from its frame's origin, else that
   /// origin.
-  Vec<S, D> centre = Vec<S, D>::Zero();
-  bool is_centred = false;  ///< `centre` is the middle of the box.
+  Vec<S, D> center = Vec<S, D>::Zero();
+  bool is_centerd = false;  ///< `center` is the middle of the box.
   bool is_finite = true;    ///< No coordinate is a NaN or an infinity.
   /// kRingFrom points or more, the corners of a strictly convex polygon in order. Plane only.
   bool is_ring = false;
   S largest = S(0);  ///< The largest magnitude of a coordinate.
-  S radius = S(0);   ///< Distance from `centre` to the farthest point, up to a rounding or two.
-  S to_mean = S(0);  ///< Distance from `centre` to the mean of the points, equally exact.
+  S radius = S(0);   ///< Distance from `center` to the farthest point, up to a rounding or two.
+  S to_mean = S(0);  ///< Distance from `center` to the mean of the points, equally exact.
   /// Indices of two points that lie at least as far apart as the longest side of the box.
   std::array<int, 2> far_apart = {};
 
@@ -164,7 +164,7 @@ template <class R>
 namespace detail {
 
 /// Sets radius and to_mean. If squares would come near overflow or underflow it computes in
-/// units of about `size`, the largest distance from the centre along an axis.
+/// units of about `size`, the largest distance from the center along an axis.
 template <class S, int D>
 void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, D>& out) {
   using Traits = ScalarTraits<S>;
@@ -172,15 +172,15 @@ void measure_size(std::span<const Vec<S, D>> points, const S& size, Measures<S, 
   const bool fits = std::numeric_limits<S>::max_exponent > 100 && Traits::is_in_range(size) &&
                     Traits::is_in_range(sum_size);  // squares of half have no room
   const int exponent = fits ? 0 : Traits::exponent(size);
-  const Vec<S, D> centre = out.centre;
+  const Vec<S, D> center = out.center;
   S radius_sq(0);
   Vec<S, D> sum = Vec<S, D>::Zero();
   for (const Vec<S, D>& point : points) {
-    Vec<S, D> from_centre = point - centre;
+    Vec<S, D> from_center = point - center;
     if (exponent != 0) [[unlikely]]
-      from_centre = scaled(from_centre, -exponent);
-    radius_sq = larger(radius_sq, dot(from_centre, from_centre));
-    sum = sum + from_centre;
+      from_center = scaled(from_center, -exponent);
+    radius_sq = larger(radius_sq, dot(from_center, from_center));
+    sum = sum + from_center;
   }
   out.radius = scaled_above(Traits::root(radius_sq), exponent);
   out.to_mean =
@@ -212,9 +212,9 @@ template <class S, int D>
     }
     largest = larger(norm_max(low), norm_max(high));
     const Vec<S, D> middle = low / S(2) + high / S(2);
-    is_centred = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
-    if (is_centred) centre = middle;
-    const S size = larger(norm_max(Vec<S, D>(high - centre)), norm_max(Vec<S, D>(low - centre)));
+    is_centerd = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
+    if (is_centerd) center = middle;
+    const S size = larger(norm_max(Vec<S, D>(high - center)), norm_max(Vec<S, D>(low - center)));
     if (is_finite && S(0) < size && ScalarTraits<S>::is_finite(size)) {
       detail::measure_size(points, size, *this);
     }

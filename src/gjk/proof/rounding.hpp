@@ -35,12 +35,12 @@ struct Rounding {
   R extent = R(0);        ///< The sum of the radii; twice this is at least the diameter of Z.
   R reach = R(0);         ///< No point of Z is farther from O.
   R least_reach = R(0);   ///< Some point of Z is at least as far from O.
-  R from_origins = R(0);  ///< `reach`, plus how far both centres are from their frames' origins.
+  R from_origins = R(0);  ///< `reach`, plus how far both centers are from their frames' origins.
   R moved = R(0);         ///< Sum over the shapes: roundings of moving a vertex, times the radius.
   bool scans_placed = false;  ///< Scans see the vertices of both shapes as Z has them.
 
   /// The error of a vertex w of Z, apart from the u |w| of its last sum: that of the offset, u
-  /// radius where the vertex is centred, (D - 1 + sqrt(D)) u radius where it is turned, and u
+  /// radius where the vertex is centerd, (D - 1 + sqrt(D)) u radius where it is turned, and u
   /// extent for y - x. In one frame 0: w is one difference.
   R vertex_error = R(0);
 
@@ -90,17 +90,17 @@ template <class R, class S, int D>
   constexpr double kTurnRoundings = D == 2 ? 2.5 : 3.75;  // D - 1 + sqrt(D), rounded up
   Rounding<R, D> out;
   R to_means(0);
-  R to_centres(0);
+  R to_centers(0);
   const auto add = [&](const Shape<S, D>& shape, const Measures<S, D>& measures,
                        const Body<R, D>& body) {
     const R stretch = ScalarTraits<R>::from(shape.pose.rotation.stretch());
     const R radius = body.radius * stretch;
     if (shape.pose.rotation.turns())
       out.moved = out.moved + ScalarTraits<R>::from(kTurnRoundings) * radius;
-    if (frames.centred) {
-      if (measures.is_centred) out.moved = out.moved + radius;
-      to_centres =
-          to_centres + careful_length(shape.pose.template rotated<R>(frames.in_unit(body.centre)));
+    if (frames.centerd) {
+      if (measures.is_centerd) out.moved = out.moved + radius;
+      to_centers =
+          to_centers + careful_length(shape.pose.template rotated<R>(frames.in_unit(body.center)));
     }
     out.extent = out.extent + radius;
     to_means = to_means + ScalarTraits<R>::from(measures.to_mean) * frames.unit * stretch;
@@ -110,7 +110,7 @@ template <class R, class S, int D>
   const R far = length(frames.offset);
   out.reach = far + out.extent;
   out.least_reach = far - to_means;
-  out.from_origins = out.reach + to_centres;
+  out.from_origins = out.reach + to_centers;
   out.scans_placed = !frames.same_frame && frames.x.placed_count > 0 && frames.y.placed_count > 0;
   if (!frames.same_frame) {
     out.vertex_error =

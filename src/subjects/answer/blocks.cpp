@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "subjects/answer/act.hpp"
 #include "subjects/answer/cold_start.hpp"
 #include "subjects/answer/subject.hpp"
+#include "subjects/answer/tour.hpp"
 #include "subjects/growth/growth.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/round_shapes/round_shapes.hpp"
@@ -119,7 +119,7 @@ void witness(PanelBuilder& panel) {
 const Block kWitness{
     .name = "witness",
     .meaning =
-        "the closest points; with granularity `witness` the weights on the differences, on "
+        "the closest points; with tour `witness` the weights on the differences, on "
         "the vertices of Y and on those of X",
     .write = witness};
 

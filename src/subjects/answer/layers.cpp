@@ -3,8 +3,8 @@
 #include <map>
 
 #include "picture/words.hpp"
-#include "subjects/answer/act.hpp"
 #include "subjects/answer/subject.hpp"
+#include "subjects/answer/tour.hpp"
 #include "subjects/motion/motion.hpp"
 #include "subjects/round_shapes/subject.hpp"
 #include "subjects/run/subject.hpp"

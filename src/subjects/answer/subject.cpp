@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::answer{
-    .acts = {&acts::kWitness, &acts::kAnswer},
+    .tours = {&tours::kWitness, &tours::kAnswer},
     .blocks = {&blocks::kWitness, &blocks::kCounters, &blocks::kStarts, &blocks::kBoundSteps},
     .effects = {&effect_infos::kColdStart},
 };

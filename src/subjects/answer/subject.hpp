@@ -2,17 +2,17 @@
 // The answer: closest points of both shapes, counters, bounds: what the files of this folder
 // define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
 
-namespace acts {
-extern const Act kWitness;
-extern const Act kAnswer;
-}  // namespace acts
+namespace tours {
+extern const Tour kWitness;
+extern const Tour kAnswer;
+}  // namespace tours
 
 namespace blocks {
 extern const Block kWitness;

@@ -102,7 +102,7 @@ std::array<double, 2> arms_of(const Beam& beam) {
 
 double seconds_of(const LessonRun& run, const Frame& frame) {
   const int moment = *beam_moment(run, frame);
-  return run.lesson.table.as<LessonTime>()->at(frame.run)[moment];
+  return run.lesson.settings.as<LessonTime>()->at(frame.run)[moment];
 }
 
 std::vector<Beam> swing(const std::array<double, 2>& masses, double balance_point,
@@ -124,15 +124,14 @@ EffectKey Balance::key(const LessonRun&, const Frame& frame) { return {frame.run
 Balance::Value Balance::compute(EffectGraph& graph, const LessonRun& run, const Frame& frame) {
   const std::vector<double>& weights = graph.get<BarycentricWeights>(frame).weights;
   Value value;
-  if (weights.size() != 2 || !run.lesson.table.as<LessonTime>()) return value;
+  if (weights.size() != 2 || !run.lesson.settings.as<LessonTime>()) return value;
   value.weights = {weights[0], weights[1]};
   value.masses = {std::max(weights[0], 0.0), std::max(weights[1], 0.0)};
-  value.moments = swing(value.masses, weights[1], *run.lesson.table.as<LessonTime>(), frame.run);
+  value.moments = swing(value.masses, weights[1], *run.lesson.settings.as<LessonTime>(), frame.run);
   return value;
 }
 
 const EffectInfo effect_infos::kBalance = effect_info<Balance>(
-    "view", "a beam with masses u and v, swinging on its support; needs granularity `time`",
-    "time");
+    "view", "a beam with masses u and v, swinging on its support; needs tour `time`", "time");
 
 }  // namespace gjkscope

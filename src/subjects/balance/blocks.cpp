@@ -53,6 +53,6 @@ const Block kBalance{
     .name = "balance",
     .meaning = "masses, support, turning moments and tilt of the beam at this time",
     .write = balance,
-    .act = "time"};
+    .tour = "time"};
 
 }  // namespace gjkscope::blocks

@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::balance{
-    .acts = {&acts::kTime},
+    .tours = {&tours::kTime},
     .blocks = {&blocks::kBalance},
     .layers = {&layers::kBalance},
     .effects = {&effect_infos::kBalance},

@@ -1,16 +1,16 @@
 #pragma once
 // Weights as masses on a beam: what the files of this folder define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
 
-namespace acts {
-extern const Act kTime;
-}  // namespace acts
+namespace tours {
+extern const Tour kTime;
+}  // namespace tours
 
 namespace blocks {
 extern const Block kBalance;

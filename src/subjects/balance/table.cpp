@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/decimal.hpp"
-#include "lesson/table_kind.hpp"
+#include "lesson/settings_kind.hpp"
 #include "subjects/balance/subject.hpp"
 
 namespace gjkscope {
@@ -63,7 +63,7 @@ std::vector<std::vector<double>> read_moments(const TableSource& source, const F
   return all;
 }
 
-ActTable read_time(const TableSource& source) {
+TourSettings read_time(const TableSource& source) {
   LessonTime time;
   const Field seconds = source.table["seconds"];
   time.seconds = source.reader.number(seconds, 0.0, kLongestSimulation).value_or(time.seconds);
@@ -75,7 +75,7 @@ ActTable read_time(const TableSource& source) {
   if (moments && !frames) {
     time.frames = 0;
     time.moments = read_moments(source, moments, time.seconds, positions);
-    return ActTable(std::move(time));
+    return TourSettings(std::move(time));
   }
   if (moments) source.problems.add(moments.place(), "'moments' besides 'frames'", "one of the two");
   if (!frames)
@@ -86,10 +86,10 @@ ActTable read_time(const TableSource& source) {
                         fmt::format("{} frames at each of {} positions", time.frames, positions),
                         fmt::format("a product of at most {}", kMoments));
   }
-  return ActTable(std::move(time));
+  return TourSettings(std::move(time));
 }
 
-void write_time(const ActTable& table, TomlText& out) {
+void write_time(const TourSettings& table, TomlText& out) {
   const LessonTime& time = *table.as<LessonTime>();
   out.table("[time]");
   out.key("seconds", decimal(time.seconds));
@@ -101,7 +101,7 @@ void write_time(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonTime::kKind = {"time", "the moments that frames show", time_keys, read_time,
-                                     write_time};
+const SettingsKind LessonTime::kKind = {"time", "the moments that frames show", time_keys,
+                                        read_time, write_time};
 
 }  // namespace gjkscope

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lesson/act_table.hpp"
+#include "lesson/tour_settings.hpp"
 
 namespace gjkscope {
 
@@ -21,7 +21,7 @@ struct LessonTime {
     for (int i = 0; i < frames; ++i) out.push_back(seconds * i / (frames - 1));
     return out;
   }
-  static const TableKind kKind;
+  static const SettingsKind kKind;
   friend bool operator==(const LessonTime&, const LessonTime&) = default;
 };
 

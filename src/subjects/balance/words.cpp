@@ -46,7 +46,7 @@ void balance(const Story& story, FrameText& text) {
   const std::string tilts =
       level ? "the beam is level"
             : fmt::format("{} is down by {}°", tilt > 0.0 ? a : b, fixed(std::abs(tilt), 1));
-  const double share = beam.seconds / story.run.lesson.table.as<LessonTime>()->seconds;
+  const double share = beam.seconds / story.run.lesson.settings.as<LessonTime>()->seconds;
   if (beam.seconds == 0.0) {
     text.caption = missing
                        ? fmt::format(

@@ -55,11 +55,11 @@ void counts(PanelBuilder& panel) {
 const Block kPieces{.name = "pieces",
                     .meaning = "triangles, diagonals taken away, runs of GJK, and δ by now",
                     .write = counts,
-                    .act = "convex-pieces"};
+                    .tour = "convex-pieces"};
 
 const Listing kListing{.name = "convex-pieces",
                        .meaning = "convex pieces, and the least distance over their pairs",
                        .write = listing,
-                       .act = "convex-pieces"};
+                       .tour = "convex-pieces"};
 
 }  // namespace gjkscope::parts

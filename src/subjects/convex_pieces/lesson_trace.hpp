@@ -59,7 +59,7 @@ template <class Corners>
   return name;
 }
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const PiecesTrace& pieces_trace(const AlgorithmTrace& trace) {
   return static_cast<const PiecesTrace&>(trace);
 }

@@ -1,8 +1,8 @@
 #pragma once
-// Convex pieces in pictures: what a frame shows of them, and what its act draws and says.
+// Convex pieces in pictures: what a frame shows of them, and what its tour draws and says.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "subjects/convex_pieces/lesson_trace.hpp"
 

@@ -232,25 +232,25 @@ void bounds(PanelBuilder& panel) {
 const Block kEdges{.name = "depth-edges",
                    .meaning = "the edges of the expanding polygon and their distances from O",
                    .write = depths::edges,
-                   .act = "depth"};
+                   .tour = "depth"};
 
 const Block kFaces{
     .name = "depth-faces",
     .meaning = "in space: the faces of the expanding polytope and their distances from O",
     .write = depths::faces,
-    .act = "depth",
+    .tour = "depth",
     .shown_of = ShownOf::space};
 
 const Block kBounds{.name = "depth-bounds",
                     .meaning = "lower and upper bound of the penetration depth",
                     .write = depths::bounds,
-                    .act = "depth",
+                    .tour = "depth",
                     .shown_of = ShownOf::both};
 
 const Listing kListing{.name = "depth",
                        .meaning = "penetration depth, by an expanding polygon or polytope",
                        .write = depths::depth_listing,
-                       .act = "depth",
+                       .tour = "depth",
                        .shown_of = ShownOf::both};
 
 }  // namespace gjkscope::depths

@@ -292,7 +292,7 @@ std::shared_ptr<const AlgorithmTrace> run_depth(const Lesson& lesson, const Posi
 }
 
 const LessonTrace* trace_at(const LessonRun& run, int index) {
-  if (run.act->algorithm != &kDepthAlgorithm) return nullptr;
+  if (run.tour->algorithm != &kDepthAlgorithm) return nullptr;
   return static_cast<const LessonTrace*>(run.algorithm_traces[index].get());
 }
 

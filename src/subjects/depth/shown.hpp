@@ -1,11 +1,11 @@
 #pragma once
 // Penetration depth in pictures: what a frame shows of the expanding polygon,
-// and what its act draws and says.
+// and what its tour draws and says.
 
 #include <array>
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "run/effect_info.hpp"
 #include "subjects/depth/lesson_trace.hpp"

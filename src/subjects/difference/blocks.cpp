@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "subjects/difference/act.hpp"
 #include "subjects/difference/subject.hpp"
+#include "subjects/difference/tour.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::blocks {
@@ -88,6 +88,6 @@ namespace gjkscope::listings {
 const Listing kMinkowski{.name = "minkowski",
                          .meaning = "Minkowski difference, pair by pair",
                          .write = blocks::minkowski_listing,
-                         .act = "pairs"};
+                         .tour = "pairs"};
 
 }  // namespace gjkscope::listings

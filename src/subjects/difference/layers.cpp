@@ -5,9 +5,9 @@
 #include "outlines/polygon.hpp"
 #include "picture/solid.hpp"
 #include "run/facts.hpp"
-#include "subjects/difference/act.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/difference/subject.hpp"
+#include "subjects/difference/tour.hpp"
 #include "subjects/space/solids.hpp"
 
 namespace gjkscope::layers {
@@ -26,7 +26,7 @@ void difference_arrow(SceneBuilder& scene, const Point& from, const Point& to) {
 /// Z is what GJK does without while a run is followed, and known once it is built.
 bool hull_is_ghost(const SceneBuilder& scene) {
   const bool is_part_of_search = scene.frame.part >= 0 && scene.knows.phase_is(gjk::Phase::support);
-  return scene.run.act->follows_run || is_part_of_search;
+  return scene.run.tour->follows_run || is_part_of_search;
 }
 
 /// Disks of the differences: smaller where they stand close together. A dense cloud has one disk in

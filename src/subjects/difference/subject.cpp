@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::difference{
-    .acts = {&acts::kPairs},
+    .tours = {&tours::kPairs},
     .blocks = {&blocks::kPairs},
     .listings = {&listings::kMinkowski},
     .layers = {&layers::kDifference, &layers::kCornerNames},

@@ -1,16 +1,16 @@
 #pragma once
 // How the Minkowski difference is built: what the files of this folder define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
 
-namespace acts {
-extern const Act kPairs;
-}  // namespace acts
+namespace tours {
+extern const Tour kPairs;
+}  // namespace tours
 
 namespace blocks {
 extern const Block kPairs;

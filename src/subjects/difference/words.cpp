@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "picture/story.hpp"
-#include "subjects/difference/act.hpp"
 #include "subjects/difference/minkowski.hpp"
 #include "subjects/difference/subject.hpp"
+#include "subjects/difference/tour.hpp"
 
 namespace gjkscope::captions {
 namespace {

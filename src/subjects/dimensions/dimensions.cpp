@@ -25,7 +25,7 @@ FlatRuns::Value FlatRuns::compute(EffectGraph& graph, const LessonRun& run, cons
   Value out;
   for (int m = 1; m < run.lesson.dimension; ++m) {
     Lesson flat = run.lesson;
-    flat.act = acts::kPhase.name;
+    flat.tour = tours::kPhase.name;
     flat.questions.clear();
     for (std::size_t body = 0; body < flat.bodies.size(); ++body) {
       LessonShape& shape = flat.bodies[body];
@@ -35,7 +35,7 @@ FlatRuns::Value FlatRuns::compute(EffectGraph& graph, const LessonRun& run, cons
       for (Eigen::Vector3d& vertex : shape.vertices)
         vertex.segment(m, run.lesson.dimension - m) = middle.segment(m, run.lesson.dimension - m);
     }
-    out.emplace_back(std::move(flat), acts::kPhase, graph);
+    out.emplace_back(std::move(flat), tours::kPhase, graph);
   }
   return out;
 }
@@ -224,7 +224,7 @@ void dimensions(PanelBuilder& panel) {
 
 }  // namespace
 
-const Act kAct{
+const Tour kTour{
     .name = "dimensions",
     .meaning =
         "closest point and support point of runs on a line, in a plane and in space, one "
@@ -247,11 +247,11 @@ const Act kAct{
 const Block kBlock{.name = "dimensions",
                    .meaning = "points of S and distance on a line, in a plane and in space",
                    .write = dimensions,
-                   .act = kAct.name,
+                   .tour = kTour.name,
                    .shown_of = ShownOf::both};
 
 const EffectInfo kEffect = shown_of(
     ShownOf::both, effect_info<FlatRuns>(
-                       "frame", "runs of the shapes pressed onto a line and a plane", kAct.name));
+                       "frame", "runs of the shapes pressed onto a line and a plane", kTour.name));
 
 }  // namespace gjkscope::dimensions

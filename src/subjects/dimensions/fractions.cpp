@@ -57,8 +57,8 @@ void draw_fraction(SceneBuilder& scene) {
 }
 
 /// That of the runs of the first two and three vertices, which no lesson can name.
-const Act& act_of_first_vertices() {
-  static const Act act{
+const Tour& tour_of_first_vertices() {
+  static const Tour tour{
       .name = "fractions",
       .meaning = "",
       .add_frames = [](LessonRun&, int) {},
@@ -66,7 +66,7 @@ const Act& act_of_first_vertices() {
       .knows = guesses::knows_nothing,
       .stage = draw_fraction,
   };
-  return act;
+  return tour;
 }
 
 FrameInView in_view(const LessonRun& run, EffectGraph& effects, const Frame& frame,
@@ -206,7 +206,7 @@ void fractions(PanelBuilder& panel) {
 
 }  // namespace
 
-const Act kAct{
+const Tour kTour{
     .name = "fractions",
     .meaning =
         "vertex of a tetrahedron, at each position of X: its weight in the first two, three "
@@ -237,12 +237,12 @@ const Block kBlock{.name = "fractions",
                        "in space: weights as fractions of a length, an area "
                        "and a volume",
                    .write = fractions,
-                   .act = kAct.name,
+                   .tour = kTour.name,
                    .shown_of = ShownOf::space};
 
 const EffectInfo kEffect = shown_of(
     ShownOf::space, effect_info<FirstVertices>(
-                        "frame", "the weights in the first two and three vertices", kAct.name));
+                        "frame", "the weights in the first two and three vertices", kTour.name));
 
 }  // namespace gjkscope::fractions
 
@@ -265,7 +265,7 @@ FirstVertices::Value FirstVertices::compute(EffectGraph& graph, const LessonRun&
       shape.vertex_names.push_back(run.lesson.y().vertex_names[vertex]);
       less.options.start.pairs[i] = {.x = 0, .y = i};
     }
-    out.emplace_back(std::move(less), fractions::act_of_first_vertices(), graph);
+    out.emplace_back(std::move(less), fractions::tour_of_first_vertices(), graph);
   }
   return out;
 }

@@ -4,15 +4,15 @@
 #include <memory>
 #include <vector>
 
-#include "picture/act.hpp"
+#include "picture/tour.hpp"
 #include "run/graph.hpp"
 
 namespace gjkscope {
 
 /// A run that a view shows, with its effects. The lesson's own run is no such value.
 struct LesserRun {
-  LesserRun(Lesson lesson, const Act& act, EffectGraph& counts)
-      : run(std::make_unique<LessonRun>(run_lesson(std::move(lesson), act))),
+  LesserRun(Lesson lesson, const Tour& tour, EffectGraph& counts)
+      : run(std::make_unique<LessonRun>(run_lesson(std::move(lesson), tour))),
         effects(std::make_unique<EffectGraph>(*run, counts)) {}
   std::unique_ptr<LessonRun> run;
   std::unique_ptr<EffectGraph> effects;

@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::dimensions{
-    .acts = {&gjkscope::dimensions::kAct, &fractions::kAct},
+    .tours = {&gjkscope::dimensions::kTour, &fractions::kTour},
     .blocks = {&gjkscope::dimensions::kBlock, &fractions::kBlock},
     .effects = {&gjkscope::dimensions::kEffect, &fractions::kEffect},
     .legend = {{"fraction", "the part opposite to the marked vertex"},

@@ -74,7 +74,7 @@ void face_kinds(PanelBuilder& panel) {
 const Block kFaceKinds{.name = "face-kinds",
                        .meaning = "in space: faces of Z by what they come from",
                        .write = face_kinds,
-                       .act = "faces-of-the-difference",
+                       .tour = "faces-of-the-difference",
                        .shown_of = ShownOf::space};
 
 }  // namespace gjkscope::zfaces

@@ -21,7 +21,7 @@ struct FaceGrowth {
     int of_lenses = 0;
     int asked_of_spheres = 0;  ///< Support points of a run.
     int asked_of_lenses = 0;
-    int asked_for_depth = 0;  ///< By a search on the spheres where their centres meet.
+    int asked_for_depth = 0;  ///< By a search on the spheres where their centers meet.
   };
   using Value = std::vector<Sample>;
   /// They depend on nothing.

@@ -127,7 +127,7 @@ std::vector<std::vector<Vector3d>> comb(std::size_t body) {
   return parts;
 }
 
-/// The bodies that are counted, one above the other; spheres whose centres meet.
+/// The bodies that are counted, one above the other; spheres whose centers meet.
 void counted_bodies(SceneBuilder& scene, Growing growing) {
   const double apart = growing == Growing::depth ? 0.0 : 2.3;
   const Rect& card = scene.map.area();

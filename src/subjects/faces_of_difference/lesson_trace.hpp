@@ -37,7 +37,7 @@ class FacesTrace final : public AlgorithmTrace {
 /// "face KLM of Y", "edge AB of X", "vertex K of Y"
 [[nodiscard]] std::string part_name(const LessonShape& shape, const std::vector<int>& vertices);
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const FacesTrace& faces_trace(const AlgorithmTrace& trace) {
   return static_cast<const FacesTrace&>(trace);
 }

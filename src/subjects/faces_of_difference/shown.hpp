@@ -1,12 +1,12 @@
 #pragma once
-// Faces of the difference in pictures: what a frame shows of them, and what their act draws and
+// Faces of the difference in pictures: what a frame shows of them, and what their tour draws and
 // says.
 
 #include <optional>
 #include <string_view>
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "subjects/faces_of_difference/growth.hpp"
 #include "subjects/faces_of_difference/lesson_trace.hpp"
 

@@ -44,7 +44,7 @@ const Block kRegionPlanes{
     .name = "region-planes",
     .meaning = "in space: the planes of a region, and how deep a point lies inside",
     .write = region_planes,
-    .act = "feature-regions",
+    .tour = "feature-regions",
     .shown_of = ShownOf::space};
 
 }  // namespace gjkscope::cells

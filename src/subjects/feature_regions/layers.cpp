@@ -99,7 +99,7 @@ const Layer kBehind{.effect = FeatureRegions::kName,
                     .on = Layer::On::world,
                     .order = 50,
                     .draw = [](SceneBuilder& scene) {
-                      if (scene.run.act->algorithm == &kFeatureRegionsAlgorithm)
+                      if (scene.run.tour->algorithm == &kFeatureRegionsAlgorithm)
                         regions(scene, false);
                     }};
 

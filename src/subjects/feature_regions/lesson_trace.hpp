@@ -63,7 +63,7 @@ class RegionsTrace final : public AlgorithmTrace {
   std::vector<Step> all;  ///< None where a body is flat, or two bodies overlap.
 };
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const RegionsTrace& regions_trace(const AlgorithmTrace& trace) {
   return static_cast<const RegionsTrace&>(trace);
 }

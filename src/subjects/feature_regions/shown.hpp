@@ -1,13 +1,13 @@
 #pragma once
-// Voronoi regions of features in pictures: what a frame shows of them, and what their act draws and
-// says.
+// Voronoi regions of features in pictures: what a frame shows of them, and what their tour draws
+// and says.
 
 #include <optional>
 #include <utility>
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 #include "subjects/feature_regions/lesson_trace.hpp"
 

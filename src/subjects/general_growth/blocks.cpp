@@ -61,6 +61,6 @@ const Block kCosts{.name = "costs",
                        "pairs that each method visits at the frame's number of segments, and "
                        "how long it takes",
                    .write = costs,
-                   .act = "general-growth"};
+                   .tour = "general-growth"};
 
 }  // namespace gjkscope::costs

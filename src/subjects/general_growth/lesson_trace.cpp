@@ -24,7 +24,7 @@ std::shared_ptr<const AlgorithmTrace> run_growth(const Lesson& lesson, const Pos
   static std::mutex mutex;
   static std::pair<LessonGrowth, std::shared_ptr<const AlgorithmTrace>> last;
   const std::lock_guard lock(mutex);
-  const LessonGrowth& growth = *lesson.table.as<LessonGrowth>();
+  const LessonGrowth& growth = *lesson.settings.as<LessonGrowth>();
   if (last.second == nullptr || !(last.first == growth))
     last = {growth, std::make_shared<const GeneralGrowthTrace>(growth)};
   return last.second;

@@ -38,7 +38,7 @@ class GeneralGrowthTrace final : public AlgorithmTrace {
   std::optional<GrowthTimes> times;
 };
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const GeneralGrowthTrace& general_growth_trace(const AlgorithmTrace& trace) {
   return static_cast<const GeneralGrowthTrace&>(trace);
 }

@@ -59,9 +59,9 @@ namespace detail {
   return out;
 }
 
-/// A star around `centre`: its radii lie between 0.5 and 1.
+/// A star around `center`: its radii lie between 0.5 and 1.
 [[nodiscard]] inline models::Outline star(std::mt19937_64& bits, int segments,
-                                          const Point& centre) {
+                                          const Point& center) {
   models::Outline out;
   const std::vector<double> radius = radii(bits, segments);
   for (int i = 0; i < segments; ++i) {
@@ -69,7 +69,7 @@ namespace detail {
     const double t = 4.0 * i / segments - quarter;
     Point way = Point(1.0 - t * t, 2.0 * t) / (1.0 + t * t);
     for (int k = 0; k < quarter; ++k) way = Point(-way.y(), way.x());
-    out.points.push_back(centre + radius[i] * way);
+    out.points.push_back(center + radius[i] * way);
   }
   return out;
 }

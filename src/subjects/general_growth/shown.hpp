@@ -1,10 +1,11 @@
 #pragma once
-// Costs of general models in pictures: what a frame shows of them, and what its act draws and says.
+// Costs of general models in pictures: what a frame shows of them, and what its tour draws and
+// says.
 
 #include <array>
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "subjects/general_growth/lesson_trace.hpp"
 #include "subjects/growth/ways.hpp"

@@ -25,7 +25,7 @@ const Block kGrowth{
     .meaning =
         "as the polygons of [growth] grow: points of Z and those computed, vertices looked at",
     .write = growth,
-    .act = "growth"};
+    .tour = "growth"};
 
 void growth_counters(PanelBuilder& panel) {
   const Growth::Value& measured = panel.effects.get<Growth>(panel.frame);

@@ -113,7 +113,7 @@ gjk::Options options_of(const Lesson& lesson) {
 
 Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
   const gjk::Options options = options_of(lesson);
-  const int runs = lesson.table.as<LessonGrowth>()->runs;
+  const int runs = lesson.settings.as<LessonGrowth>()->runs;
   const int pairs = std::clamp(kMadeVertices / vertices, 1, runs);
   Growth::Sample sample;
   sample.vertices = vertices;
@@ -125,7 +125,7 @@ Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
     for (int i = pair; i < runs; i += pairs) {
       query.y.pose = random_pose(random);
       const gjk::Trace<double, 2> trace = gjk::trace(query, options);
-      add(sample, trace, lesson.table.as<LessonGrowth>()->tolerance);
+      add(sample, trace, lesson.settings.as<LessonGrowth>()->tolerance);
       if (sample.runs == 1) sample.example = example_of(query, trace);
     }
   }
@@ -138,16 +138,16 @@ Growth::Sample measured(Random& random, const Lesson& lesson, int vertices) {
 }  // namespace
 
 bool Growth::is_same(const LessonRun& one, const LessonRun& other) {
-  return one.lesson.table == other.lesson.table &&
+  return one.lesson.settings == other.lesson.settings &&
          options_of(one.lesson) == options_of(other.lesson);
 }
 
 EffectKey Growth::key(const LessonRun&, const Frame&) { return {-1, -1, -1}; }
 
 Growth::Value Growth::compute(EffectGraph&, const LessonRun& run, const Frame&) {
-  Random random(run.lesson.table.as<LessonGrowth>()->seed);
+  Random random(run.lesson.settings.as<LessonGrowth>()->seed);
   Value samples;
-  for (const int vertices : run.lesson.table.as<LessonGrowth>()->vertices)
+  for (const int vertices : run.lesson.settings.as<LessonGrowth>()->vertices)
     samples.push_back(measured(random, run.lesson, vertices));
   return samples;
 }
@@ -177,7 +177,7 @@ SlowGrowth::Value SlowGrowth::compute(EffectGraph&, const LessonRun& run, const 
   options.proof = gjk::Proof::none;
   options.start.count = 1;
   Value runs;
-  for (const int vertices : run.lesson.table.as<LessonGrowth>()->vertices) {
+  for (const int vertices : run.lesson.settings.as<LessonGrowth>()->vertices) {
     if (vertices > kMost) break;
     const std::vector<gjk::Vec<Rational, 2>> x = {exactly(kSlowPoint)};
     std::vector<gjk::Vec<Rational, 2>> y;

@@ -13,7 +13,7 @@ namespace gjkscope {
 
 /// The cost of GJK as polygons grow: traced runs on pairs of random convex polygons that lie apart,
 /// with each number of vertices in the lesson's [growth]. They decide as the lesson's query says,
-/// and start from the first vertices, or centre to centre where the lesson does. The same on every
+/// and start from the first vertices, or center to center where the lesson does. The same on every
 /// machine: nothing is timed, and the polygons come of sums, products and quotients alone. No
 /// shapes of the lesson are part of it.
 struct Growth {

@@ -19,7 +19,7 @@ double power_of_ten_from(double value) { return std::pow(10.0, std::ceil(std::lo
 
 /// A plot without series: n along x, and the frame's n.
 Plot against_vertices(const LessonRun& run, const Frame& frame) {
-  const std::vector<int>& sizes = run.lesson.table.as<LessonGrowth>()->vertices;
+  const std::vector<int>& sizes = run.lesson.settings.as<LessonGrowth>()->vertices;
   Plot plot;
   plot.x = {1.0, power_of_ten_from(sizes.back()), true, "vertices n of each polygon"};
   const int size = shown_size(run, frame).value_or(-1);
@@ -48,13 +48,13 @@ PlotSeries series_of(std::span<const Sample> measured, PlotStyle style, std::str
 int size_in_question(const LessonRun& run, const Frame& frame) {
   const int size = shown_size(run, frame).value_or(-1) + (frame.question >= 0 ? 1 : 0);
   const bool is_asked = run.lesson.asks(kAskIterations.name, size + 1);
-  const auto sizes = static_cast<int>(run.lesson.table.as<LessonGrowth>()->vertices.size());
+  const auto sizes = static_cast<int>(run.lesson.settings.as<LessonGrowth>()->vertices.size());
   return is_asked && size > 0 && size < sizes ? size : 0;
 }
 
 /// The places that a frame's question chooses from; a frame that tells of a size keeps them.
 void add_choices(Plot& plot, const LessonRun& run, EffectGraph& effects, const Frame& frame) {
-  const LessonGrowth& growth = *run.lesson.table.as<LessonGrowth>();
+  const LessonGrowth& growth = *run.lesson.settings.as<LessonGrowth>();
   if (const int size = size_in_question(run, frame); size > 0) {
     add_ways(plot, growth.vertices[size], effects.get<Growth>(frame)[size - 1].iterations,
              ways_to_grow(growth, size, kAskIterations.name));
@@ -89,7 +89,7 @@ std::array<WayToGrow, 3> ways_to_be_slow(const Slowest& slowest) {
 
 Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   const std::span<const Sample> measured = measured_by(run, effects, frame);
-  const LessonGrowth& growth = *run.lesson.table.as<LessonGrowth>();
+  const LessonGrowth& growth = *run.lesson.settings.as<LessonGrowth>();
   Plot plot = against_vertices(run, frame);
   plot.bands = {{Growth::kLarsenLeast, Growth::kLarsenMost,
                  fmt::format("Larsen: {} to {}", Growth::kLarsenLeast, Growth::kLarsenMost)}};
@@ -119,7 +119,7 @@ Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& fr
 Plot points_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   const std::span<const Sample> measured = measured_by(run, effects, frame);
   Plot plot = against_vertices(run, frame);
-  const double largest = run.lesson.table.as<LessonGrowth>()->vertices.back();
+  const double largest = run.lesson.settings.as<LessonGrowth>()->vertices.back();
   plot.y = {1.0, power_of_ten_from(largest * largest), true, ""};
   PlotSeries all{PlotStyle::fourth, "n · n differences", {}};
   for (const Sample& sample : measured)

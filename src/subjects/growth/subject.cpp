@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::growth{
-    .acts = {&acts::kGrowth},
+    .tours = {&tours::kGrowth},
     .blocks = {&blocks::kGrowth},
     .effects = {&effect_infos::kGrowth, &effect_infos::kSlowGrowth},
 };

@@ -1,16 +1,16 @@
 #pragma once
 // Iterations against the number of vertices: what the files of this folder define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
 
-namespace acts {
-extern const Act kGrowth;
-}  // namespace acts
+namespace tours {
+extern const Tour kGrowth;
+}  // namespace tours
 
 namespace blocks {
 

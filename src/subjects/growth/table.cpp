@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "lesson/table_kind.hpp"
+#include "lesson/settings_kind.hpp"
 #include "subjects/growth/subject.hpp"
 
 namespace gjkscope {
@@ -40,7 +40,7 @@ std::vector<LessonKey> growth_keys() {
       {"growth", "tolerance", "number of at least 0 and below 1", "0.001",
        "frames also count the iterations until lower >= (1 - tolerance) * upper"},
       {"growth", "times", "table [growth.times]", "none",
-       "with granularity `general-growth`: how long methods take, as `gjkscope study models` "
+       "with tour `general-growth`: how long methods take, as `gjkscope study models` "
        "measures and writes it"},
       {"growth.times", "machine", text_up_to(kMachineLength), required, "what it was measured on"},
       {"growth.times", "pairs", times, required, "all pairs of segments"},
@@ -79,7 +79,7 @@ GrowthTimes read_times(const TableSource& source, const Table& table, std::size_
   return times;
 }
 
-ActTable read_growth(const TableSource& source) {
+TourSettings read_growth(const TableSource& source) {
   LessonGrowth growth;
   const Field vertices = source.table["vertices"];
   const std::vector<Field> sizes =
@@ -109,10 +109,10 @@ ActTable read_growth(const TableSource& source) {
                          .value_or(growth.tolerance);
   if (const auto times = source.reader.table(source.table["times"], "growth.times"))
     growth.times = read_times(source, *times, growth.vertices.size());
-  return ActTable(std::move(growth));
+  return TourSettings(std::move(growth));
 }
 
-void write_growth(const ActTable& table, TomlText& out) {
+void write_growth(const TourSettings& table, TomlText& out) {
   const LessonGrowth& growth = *table.as<LessonGrowth>();
   const LessonGrowth defaults;
   out.table("[growth]");
@@ -128,7 +128,7 @@ void write_growth(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonGrowth::kKind = {"growth", "random polygons that runs are measured with",
-                                       growth_keys, read_growth, write_growth};
+const SettingsKind LessonGrowth::kKind = {"growth", "random polygons that runs are measured with",
+                                          growth_keys, read_growth, write_growth};
 
 }  // namespace gjkscope

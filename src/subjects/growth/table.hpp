@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lesson/act_table.hpp"
+#include "lesson/tour_settings.hpp"
 
 namespace gjkscope {
 
@@ -45,7 +45,7 @@ struct LessonGrowth {
   double tolerance = 0.001;  ///< Counted besides the whole run: the iterations until
                              ///< lower >= (1 - tolerance) * upper.
   std::optional<GrowthTimes> times = {};
-  static const TableKind kKind;
+  static const SettingsKind kKind;
   friend bool operator==(const LessonGrowth&, const LessonGrowth&) = default;
 };
 

@@ -123,14 +123,14 @@ void growth(const Story& story, FrameText& text) {
   const auto index = static_cast<std::size_t>(*shown_size(story.run, story.frame));
   if (index < measured.size()) return size(measured[index], text);
   if (is_slow(story.run, story.frame)) return slow(slowest(story.effects, story.frame), text);
-  outcome(measured, story.run.lesson.table.as<LessonGrowth>()->tolerance, text);
+  outcome(measured, story.run.lesson.settings.as<LessonGrowth>()->tolerance, text);
 }
 
 void growth_question(const Story& story, FrameText& text) {
   const std::string& ask = story.run.asked(story.frame).ask;
   if (ask == kAskDots.name) return dots_question(story, text);
   if (ask == kAskSlowest.name) return slow_question(slowest(story.effects, story.frame), text);
-  const LessonGrowth& growth = *story.run.lesson.table.as<LessonGrowth>();
+  const LessonGrowth& growth = *story.run.lesson.settings.as<LessonGrowth>();
   const Growth::Value& measured = story.effects.get<Growth>(story.frame);
   const int size = *shown_size(story.run, story.frame) + 1;
   const Sample& from = measured[size - 1];

@@ -107,7 +107,7 @@ Walks walks_of(const LessonRun& run, const Frame& frame) {
 /// hull.
 struct Shown {
   Shown(const LessonRun& run, const Frame& frame) : value(walks_of(run, frame)) {
-    const int part = *part_of<int>(kAct, run, frame);
+    const int part = *part_of<int>(kTour, run, frame);
     const int stops = static_cast<int>(value.on_outline.size());
     stop = std::min(part, stops - 1);
     tells = part >= stops;
@@ -262,7 +262,7 @@ void stage(SceneBuilder& scene) {
 
 }  // namespace
 
-const Act kAct{
+const Tour kTour{
     .name = "downhill",
     .meaning =
         "step of a walk in Y, straight towards Q and along edges, then of the same in its hull; "

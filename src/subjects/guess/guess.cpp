@@ -174,7 +174,7 @@ void stage(SceneBuilder& scene) {
 
 }  // namespace
 
-const Act kGuess{
+const Tour kGuess{
     .name = "guess",
     .meaning =
         "part of a first look at two shapes that are apart: the question, the closest points, the "
@@ -198,7 +198,7 @@ const Act kGuess{
 namespace gjkscope {
 
 const SubjectParts subjects::guess{
-    .acts = {&guesses::kGuess, &vertex_pairs::kAct, &downhill::kAct},
+    .tours = {&guesses::kGuess, &vertex_pairs::kTour, &downhill::kTour},
     .legend = {{"guess.way", "shortest way from a vertex"},
                {"guess.way.straight", "straight way to the closest point"},
                {"pair.link", "a pair of vertices"},

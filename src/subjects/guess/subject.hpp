@@ -1,13 +1,13 @@
 #pragma once
-// How a course begins: guess the closest points, try vertices alone, walk downhill. Three acts.
+// How a course begins: guess the closest points, try vertices alone, walk downhill. Three tours.
 
-#include "picture/act.hpp"
 #include "picture/scene.hpp"
 #include "picture/story.hpp"
+#include "picture/tour.hpp"
 
 namespace gjkscope::guesses {
 
-extern const Act kGuess;
+extern const Tour kGuess;
 
 /// A line, its ends, and how long it is.
 void measured_line(SceneBuilder& scene, const std::string& role, const std::string& id,
@@ -24,8 +24,8 @@ void values(const Story& story, FrameText& text);
 }  // namespace gjkscope::guesses
 
 namespace gjkscope::vertex_pairs {
-extern const Act kAct;
+extern const Tour kTour;
 }
 namespace gjkscope::downhill {
-extern const Act kAct;
+extern const Tour kTour;
 }

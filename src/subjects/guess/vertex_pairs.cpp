@@ -19,7 +19,7 @@ constexpr int kSamples = 10;  // of an edge
 constexpr AskInfo kAskPair{"vertex-pair", "the two vertices that are nearest to each other"};
 constexpr std::array kAsks = {kAskPair, asks::kClosestX, asks::kClosestY};
 
-Part part(const LessonRun& run, const Frame& frame) { return *part_of<Part>(kAct, run, frame); }
+Part part(const LessonRun& run, const Frame& frame) { return *part_of<Part>(kTour, run, frame); }
 
 void frames(LessonRun& run, int index) { guesses::add_part_frames(run, index, kParts); }
 
@@ -172,7 +172,7 @@ void stage(SceneBuilder& scene) {
 
 }  // namespace
 
-const Act kAct{
+const Tour kTour{
     .name = "vertex-pairs",
     .meaning =
         "part of why vertices alone do not tell the distance: all pairs of them, the nearest, the "

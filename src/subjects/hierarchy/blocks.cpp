@@ -140,36 +140,36 @@ const Block kBoxTests{.name = "box-tests",
                           "pairs visited and measured, the candidate, and what it takes to tell "
                           "whether two boxes meet, and how far apart they are",
                       .write = box_tests,
-                      .act = "hierarchy-distance"};
+                      .tour = "hierarchy-distance"};
 
 const Block kTable{
     .name = "pair-table",
     .meaning = "pairs visited, measured and looked up, and the table of those measured",
     .write = table,
-    .act = "hierarchy-distance"};
+    .tour = "hierarchy-distance"};
 
 const Block kCollideCounters{.name = "collide-counters",
                              .meaning =
                                  "pairs of volumes visited and waiting, and pairs of segments "
                                  "tested for a meeting",
                              .write = collide_counters,
-                             .act = "hierarchy-collide"};
+                             .tour = "hierarchy-collide"};
 
 const Block kDistanceCounters{.name = "distance-counters",
                               .meaning =
                                   "pairs of volumes visited and waiting, pairs of segments "
                                   "measured, the candidate, and what the other order costs",
                               .write = distance_counters,
-                              .act = "hierarchy-distance"};
+                              .tour = "hierarchy-distance"};
 
 const Listing kCollideListing{.name = "collide",
                               .meaning = "Recursive-Collide on two trees of volumes (Larsen 1998)",
                               .write = collide_listing,
-                              .act = "hierarchy-collide"};
+                              .tour = "hierarchy-collide"};
 
 const Listing kDistanceListing{.name = "distance",
                                .meaning = "the distance by two trees of volumes (Larsen 1998)",
                                .write = distance_listing,
-                               .act = "hierarchy-distance"};
+                               .tour = "hierarchy-distance"};
 
 }  // namespace gjkscope::searches

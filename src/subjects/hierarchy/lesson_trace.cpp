@@ -223,7 +223,7 @@ const Algorithm kHierarchyDistance{.name = "hierarchy-distance",
                                    .stops = std::span(kStops).subspan(1)};
 
 const TracedSearch* search_trace(const LessonRun& run, int index) {
-  if (run.act->algorithm != &kHierarchyCollide && run.act->algorithm != &kHierarchyDistance)
+  if (run.tour->algorithm != &kHierarchyCollide && run.tour->algorithm != &kHierarchyDistance)
     return nullptr;
   return &static_cast<const LessonTrace&>(*run.algorithm_traces[index]).search();
 }

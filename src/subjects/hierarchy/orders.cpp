@@ -347,15 +347,15 @@ void order_counters(PanelBuilder& panel) {
 const Block kOrderCounters{.name = "order-counters",
                            .meaning = "visits, cuts and candidates of both orders of children",
                            .write = order_counters,
-                           .act = "hierarchy-orders"};
+                           .tour = "hierarchy-orders"};
 
-const Act kOrders{
+const Tour kOrders{
     .name = "hierarchy-orders",
     .meaning =
         "number of visits of two searches for the distance, of which one takes the "
         "nearer child first and one the left one; then the answer",
-    .needs = {.table = &LessonTrees::kKind,
-              .table_is_optional = true,
+    .needs = {.settings = &LessonTrees::kKind,
+              .settings_are_optional = true,
               .why_no_until = "frames show how both searches end"},
     .add_frames = add_order_frames,
     .asks = kAsks,

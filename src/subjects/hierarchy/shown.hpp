@@ -1,11 +1,11 @@
 #pragma once
-// The search over two trees in pictures: what a frame shows of it, and what its acts draw and say.
+// The search over two trees in pictures: what a frame shows of it, and what its tours draw and say.
 
 #include <array>
 #include <optional>
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "subjects/hierarchy/lesson_trace.hpp"
 #include "subjects/hierarchy/table.hpp"
@@ -140,7 +140,7 @@ struct TiledSegment {
 /// The two halves of the tiles below a node, and where lines along both axes would halve them.
 struct SplitOfTiles {
   std::array<std::vector<int>, 2> leaves;
-  Eigen::Vector2d spread;  ///< That of their centres.
+  Eigen::Vector2d spread;  ///< That of their centers.
   Eigen::Vector2d middle;
   [[nodiscard]] int axis() const { return spread.y() > spread.x() ? 1 : 0; }
 };
@@ -169,7 +169,7 @@ extern const Listing kCollideListing;
 extern const Listing kDistanceListing;
 
 // orders.cpp
-extern const Act kOrders;
+extern const Tour kOrders;
 extern const Block kOrderCounters;
 
 // stage.cpp

@@ -27,7 +27,7 @@ std::vector<Vector2d> outline_of(const Volume& volume, double more = 0.0) {
   std::vector<Vector2d> out;
   if (const Circle* circle = std::get_if<Circle>(&volume)) {
     for (int i = 0; i < kCorners; ++i)
-      out.push_back(circle->centre + (circle->radius + more) * unit(i));
+      out.push_back(circle->center + (circle->radius + more) * unit(i));
     return out;
   }
   const Box& box = std::get<Box>(volume);
@@ -45,8 +45,8 @@ std::vector<Vector2d> outline_of(const Volume& volume, double more = 0.0) {
 std::pair<Vector2d, Vector2d> gap_of(const Volume& a, const Volume& b) {
   if (const Circle* circle = std::get_if<Circle>(&a)) {
     const Circle& other = std::get<Circle>(b);
-    const Vector2d way = (other.centre - circle->centre).normalized();
-    return {circle->centre + circle->radius * way, other.centre - other.radius * way};
+    const Vector2d way = (other.center - circle->center).normalized();
+    return {circle->center + circle->radius * way, other.center - other.radius * way};
   }
   const Box& p = std::get<Box>(a);
   const Box& q = std::get<Box>(b);
@@ -179,13 +179,13 @@ class Stage {
     for (const int child : {tree[0].left, tree[0].right}) volume(true, child, "volume.child");
   }
 
-  /// The centres and radii of the circles that are visited.
-  void centres() {
+  /// The centers and radii of the circles that are visited.
+  void centers() {
     const Circle& a = std::get<Circle>(shown_.node(true).volume);
     const Circle& b = std::get<Circle>(shown_.node(false).volume);
-    scene_.line("volume.centres", scene_.at(a.centre), scene_.at(b.centre));
+    scene_.line("volume.centers", scene_.at(a.center), scene_.at(b.center));
     for (const Circle* each : {&a, &b})
-      scene_.disk("volume.centres", scene_.at(each->centre), kClosestRadius);
+      scene_.disk("volume.centers", scene_.at(each->center), kClosestRadius);
   }
 
   void hatch() {
@@ -218,7 +218,7 @@ class Stage {
     }
     if (std::holds_alternative<Circle>(shown_.node(true).volume) &&
         scene_.run.lesson.asks(kAskGap.name, shown_.state.visits))
-      centres();
+      centers();
     if (shown_.is_cut()) gap("gap", shown_.state.pair);
   }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/decimal.hpp"
-#include "lesson/table_kind.hpp"
+#include "lesson/settings_kind.hpp"
 
 namespace gjkscope {
 namespace {
@@ -20,7 +20,7 @@ std::vector<LessonKey> tree_keys() {
   };
 }
 
-ActTable read_trees(const TableSource& source) {
+TourSettings read_trees(const TableSource& source) {
   LessonTrees trees;
   trees.volumes =
       source.reader.choice<VolumeKind>(source.table["volumes"], "volume").value_or(trees.volumes);
@@ -28,10 +28,10 @@ ActTable read_trees(const TableSource& source) {
   trees.tile = source.reader.number(tile, kLeastTile, limits::kLargest).value_or(trees.tile);
   if (tile && trees.volumes != VolumeKind::tiles)
     source.problems.add(tile.place(), "'tile' without tiles", "volumes = \"tiles\"");
-  return ActTable(trees);
+  return TourSettings(trees);
 }
 
-void write_trees(const ActTable& table, TomlText& out) {
+void write_trees(const TourSettings& table, TomlText& out) {
   const LessonTrees& trees = *table.as<LessonTrees>();
   const LessonTrees defaults;
   out.table("[trees]");
@@ -42,7 +42,7 @@ void write_trees(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonTrees::kKind = {"trees", "how trees of segments are built", tree_keys,
-                                      read_trees, write_trees};
+const SettingsKind LessonTrees::kKind = {"trees", "how trees of segments are built", tree_keys,
+                                         read_trees, write_trees};
 
 }  // namespace gjkscope

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "lesson/act_table.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
+#include "lesson/tour_settings.hpp"
 
 namespace gjkscope {
 
@@ -24,13 +24,13 @@ struct Named<VolumeKind> {
 struct LessonTrees {
   VolumeKind volumes = VolumeKind::boxes;
   double tile = 0.5;  ///< Largest radius of the circles that tile segments.
-  static const TableKind kKind;
+  static const SettingsKind kKind;
   friend bool operator==(const LessonTrees&, const LessonTrees&) = default;
 };
 
 /// Those of a lesson, or the defaults.
 [[nodiscard]] inline LessonTrees trees_of(const Lesson& lesson) {
-  const LessonTrees* trees = lesson.table.as<LessonTrees>();
+  const LessonTrees* trees = lesson.settings.as<LessonTrees>();
   return trees != nullptr ? *trees : LessonTrees{};
 }
 

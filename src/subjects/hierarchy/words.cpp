@@ -577,15 +577,15 @@ void ask_for_gap(const Story& story, const Shown& shown, FrameText& text) {
   asked.ask = kAskGap.name;
   const models::Circle& a = std::get<models::Circle>(shown.node(true).volume);
   const models::Circle& b = std::get<models::Circle>(shown.node(false).volume);
-  const Eigen::Vector2d way = b.centre - a.centre;
+  const Eigen::Vector2d way = b.center - a.center;
   const double between = gjk::length(way);
   for (const double apart :
        {between, between - std::max(a.radius, b.radius), between - a.radius - b.radius})
     asked.choices.push_back(story.numbers(apart));
   asked.answer = story.numbers(shown.state.pair.bound);
-  asked.refuted = "Both radii go off the way between the centres; else segments could be nearer.";
+  asked.refuted = "Both radii go off the way between the centers; else segments could be nearer.";
   text.caption = fmt::format(
-      "Question: the centres of a and b are {} apart, their radii are {} and {}. How far apart are "
+      "Question: the centers of a and b are {} apart, their radii are {} and {}. How far apart are "
       "the "
       "circles?",
       story.numbers(between), story.numbers(a.radius), story.numbers(b.radius));

@@ -90,13 +90,13 @@ const Block kClimb{
     .name = "climb",
     .meaning = "in space: the neighbours that a walk looks at, and dot products of walks and scans",
     .write = climb,
-    .act = "hill-climbing",
+    .tour = "hill-climbing",
     .shown_of = ShownOf::space};
 
 const Listing kListing{.name = "hill-climbing",
                        .meaning = "a support point of a polyhedron, by a walk on its vertices",
                        .write = listing,
-                       .act = "hill-climbing",
+                       .tour = "hill-climbing",
                        .shown_of = ShownOf::space};
 
 }  // namespace gjkscope::climbs

@@ -44,7 +44,7 @@ class ClimbTrace final : public AlgorithmTrace {
   int scanned = 0;                                 ///< Dot products of the scans.
 };
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const ClimbTrace& climbs_trace(const AlgorithmTrace& trace) {
   return static_cast<const ClimbTrace&>(trace);
 }

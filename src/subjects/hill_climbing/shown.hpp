@@ -1,8 +1,8 @@
 #pragma once
-// The walks in pictures: what a frame shows of them, and what their act draws and says.
+// The walks in pictures: what a frame shows of them, and what their tour draws and says.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "subjects/hill_climbing/lesson_trace.hpp"
 
 namespace gjkscope::climbs {

@@ -68,6 +68,6 @@ const Block kIssuesOfPlaces{
         "the numerical issues, by where Q lies: how GJK ends there, and the lessons that "
         "go into it",
     .write = issues,
-    .act = "issues"};
+    .tour = "issues"};
 
 }  // namespace gjkscope::blocks

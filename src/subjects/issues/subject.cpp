@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::issues{
-    .acts = {&acts::kIssues},
+    .tours = {&tours::kIssues},
     .blocks = {&blocks::kIssuesOfPlaces},
     .layers = {&layers::kEarlierPlaces},
     .effects = {&effect_infos::kNumericalIssue},

@@ -73,11 +73,11 @@ const Block kFeatures{
         "the pair of features that the walk is at, swaps, and how far each closest point lies "
         "beyond the borders of the other's region",
     .write = features,
-    .act = "lin-canny"};
+    .tour = "lin-canny"};
 
 const Listing kListing{.name = "lin-canny",
                        .meaning = "the walk on features (Lin and Canny 1991)",
                        .write = listing,
-                       .act = "lin-canny"};
+                       .tour = "lin-canny"};
 
 }  // namespace gjkscope::walks

@@ -182,7 +182,7 @@ const Algorithm kLinCannyAlgorithm{.name = "lin-canny",
                                    .text = text};
 
 const TracedWalk* walk_trace(const LessonRun& run, int index) {
-  if (run.act->algorithm != &kLinCannyAlgorithm) return nullptr;
+  if (run.tour->algorithm != &kLinCannyAlgorithm) return nullptr;
   return &walk_of(*run.algorithm_traces[index]);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
-// The walk on features in pictures: what a frame shows of it, and what its act draws and says.
+// The walk on features in pictures: what a frame shows of it, and what its tour draws and says.
 
 #include "outlines/polygon.hpp"
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/legend.hpp"
+#include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "subjects/lin_canny/lesson_trace.hpp"
 

@@ -321,9 +321,9 @@ void closest_block(PanelBuilder& panel) {
 const Block kMoves{.name = "moves",
                    .meaning = "how far Y and the closest point of X have moved, and the distance",
                    .write = closest_block,
-                   .act = "closest-pairs"};
+                   .tour = "closest-pairs"};
 
-const Act kAct{
+const Tour kTour{
     .name = "closest-pairs",
     .meaning = "position on the path: the closest points of two outlines, by all pairs",
     .needs = {.why_no_until = "frames show how the path ends"},

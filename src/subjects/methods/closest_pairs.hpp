@@ -4,8 +4,8 @@
 
 #include "lesson/algorithm.hpp"
 #include "outlines/brute.hpp"
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "run/outline_trace.hpp"
 #include "run/run.hpp"
 
@@ -30,13 +30,13 @@ class AllPairsTrace final : public OutlineTrace {
   [[nodiscard]] fields::Json result_json(const Lesson& lesson) const override;
 };
 
-/// Only for runs of an act that shows this algorithm.
+/// Only for runs of a tour that shows this algorithm.
 [[nodiscard]] inline const AllPairsTrace& all_pairs_trace(const LessonRun& run, int index) {
   return static_cast<const AllPairsTrace&>(*run.algorithm_traces[index]);
 }
 
 namespace jumps {
-extern const Act kAct;
+extern const Tour kTour;
 extern const Block kMoves;
 }  // namespace jumps
 

@@ -179,7 +179,7 @@ const Algorithm kMethodsAlgorithm{.name = "methods",
                                   .takes_outlines = true};
 
 const MethodsTrace* methods_trace(const LessonRun& run, int index) {
-  if (run.act->algorithm != &kMethodsAlgorithm) return nullptr;
+  if (run.tour->algorithm != &kMethodsAlgorithm) return nullptr;
   return &static_cast<const LessonTrace&>(*run.algorithm_traces[index]).trace();
 }
 

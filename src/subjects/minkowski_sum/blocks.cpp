@@ -49,11 +49,11 @@ const Block kMerge{
     .name = "merge",
     .meaning = "edges that the Minkowski difference has by now, and differences computed",
     .write = counts,
-    .act = "minkowski-sum"};
+    .tour = "minkowski-sum"};
 
 const Listing kListing{.name = "minkowski-sum",
                        .meaning = "the Minkowski difference, edge by edge (Larsen 1998)",
                        .write = listing,
-                       .act = "minkowski-sum"};
+                       .tour = "minkowski-sum"};
 
 }  // namespace gjkscope::sums

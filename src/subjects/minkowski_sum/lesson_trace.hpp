@@ -32,7 +32,7 @@ class SumTrace final : public OutlineTrace {
                                     const minkowski_sum::Corner& from,
                                     minkowski_sum::Source source);
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const SumTrace& sum_trace(const AlgorithmTrace& trace) {
   return static_cast<const SumTrace&>(trace);
 }

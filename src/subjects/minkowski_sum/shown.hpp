@@ -1,10 +1,10 @@
 #pragma once
-// The merge of edges in pictures: what a frame shows of it, and what its act draws and says.
+// The merge of edges in pictures: what a frame shows of it, and what its tour draws and says.
 
 #include <array>
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "subjects/minkowski_sum/lesson_trace.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "subjects/regions/act.hpp"
 #include "subjects/regions/region_orders.hpp"
 #include "subjects/regions/subject.hpp"
+#include "subjects/regions/tour.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/weights/barycentric.hpp"
 
@@ -192,6 +192,6 @@ const Block kOrders{
     .name = "orders",
     .meaning = "one chain of region tests, the point it takes, and how wrong that is",
     .write = orders,
-    .act = "orders"};
+    .tour = "orders"};
 
 }  // namespace gjkscope::blocks

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "picture/words.hpp"
-#include "subjects/regions/act.hpp"
 #include "subjects/regions/sign_map.hpp"
 #include "subjects/regions/subject.hpp"
+#include "subjects/regions/tour.hpp"
 #include "subjects/run/voronoi.hpp"
 
 namespace gjkscope::layers {

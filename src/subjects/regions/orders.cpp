@@ -1,8 +1,8 @@
 #include "outlines/polygon.hpp"
 #include "picture/words.hpp"
-#include "subjects/regions/act.hpp"
 #include "subjects/regions/region_orders.hpp"
 #include "subjects/regions/subject.hpp"
+#include "subjects/regions/tour.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::layers {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "run/graph.hpp"
-#include "subjects/regions/act.hpp"
+#include "subjects/regions/tour.hpp"
 
 namespace gjkscope {
 

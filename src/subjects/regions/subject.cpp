@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::regions{
-    .acts = {&acts::kMaps, &acts::kOrders},
+    .tours = {&tours::kMaps, &tours::kOrders},
     .blocks = {&blocks::kSigns, &blocks::kOrders},
     .layers = {&layers::kRegions, &layers::kSigns, &layers::kMapDifference, &layers::kShortTest,
                &layers::kWrongPoint},

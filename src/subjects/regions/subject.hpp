@@ -2,17 +2,17 @@
 // Voronoi regions, the other map of the plane around a triangle, and the order of region tests:
 // what the files of this folder define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
 
-namespace acts {
-extern const Act kMaps;
-extern const Act kOrders;
-}  // namespace acts
+namespace tours {
+extern const Tour kMaps;
+extern const Tour kOrders;
+}  // namespace tours
 
 namespace blocks {
 extern const Block kSigns;

@@ -5,8 +5,8 @@
 
 #include "picture/words.hpp"
 #include "run/questions.hpp"
-#include "subjects/regions/act.hpp"
 #include "subjects/regions/subject.hpp"
+#include "subjects/regions/tour.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/run/voronoi.hpp"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "picture/story.hpp"
-#include "subjects/regions/act.hpp"
 #include "subjects/regions/region_orders.hpp"
 #include "subjects/regions/subject.hpp"
+#include "subjects/regions/tour.hpp"
 #include "subjects/weights/barycentric.hpp"
 
 namespace gjkscope::captions {

@@ -100,6 +100,6 @@ bool shows_gap(const SceneBuilder& scene) {
 
 const Layer kSkins{.effect = {}, .on = Layer::On::world, .order = 55, .draw = skins};
 const Layer kRadii{.effect = {}, .on = Layer::On::difference, .order = 70, .draw = radii};
-const Layer kGap{.effect = {}, .on = Layer::On::world, .order = Layer::kOfAct + 20, .draw = gap};
+const Layer kGap{.effect = {}, .on = Layer::On::world, .order = Layer::kOfTour + 20, .draw = gap};
 
 }  // namespace gjkscope::layers

@@ -141,7 +141,7 @@ std::string region_reason(const Story& story) {
 
 /// The words of a lesson that shows the areas.
 bool tells_areas(const Story& story) {
-  return story.state.simplex.count == 3 && story.run.act->sweeps &&
+  return story.state.simplex.count == 3 && story.run.tour->sweeps &&
          story.shows(BarycentricParts::kName);
 }
 
@@ -245,7 +245,7 @@ void areas(const Story& story, FrameText& text) {
 /// readers.
 bool tells_features(const Story& story) {
   const Lesson& lesson = story.run.lesson;
-  return story.state.simplex.count == 3 && story.run.act->sweeps &&
+  return story.state.simplex.count == 3 && story.run.tour->sweeps &&
          !lesson.has_block(blocks::kWeights.name);
 }
 
@@ -405,7 +405,7 @@ void closest(const Story& story, FrameText& text) {
   if (tells_features(story)) return features(story, text);
   if (story.shows(UnitVector::kName) && story.state.simplex.count == 2) return line(story, text);
   if (story.shows(Projection::kName) && story.state.simplex.count == 2 && story.run.point_query() &&
-      story.run.act->sweeps) {
+      story.run.tour->sweeps) {
     return projection(story, text);
   }
   text.caption = region_reason(story);

@@ -527,11 +527,11 @@ const Listing kTrianglePython{
 const Listing kStructuresCpp{.name = "structures.cpp",
                              .meaning = "what a simplex is stored as, in C++",
                              .write = code::write,
-                             .act = "phase"};
+                             .tour = "phase"};
 const Listing kStructuresPython{.name = "structures.py",
                                 .meaning = "what a simplex is stored as, in Python",
                                 .write = code::write,
-                                .act = "phase"};
+                                .tour = "phase"};
 const Listing kSupportCpp{
     .name = "support.cpp", .meaning = "support point of a polygon, in C++", .write = code::write};
 const Listing kSupportPython{

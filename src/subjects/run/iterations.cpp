@@ -3,7 +3,7 @@
 #include "subjects/run/subject.hpp"
 #include "subjects/second_run/table.hpp"
 
-namespace gjkscope::acts {
+namespace gjkscope::tours {
 namespace {
 
 bool ends_iteration(const LessonRun& run, int index, int step) {
@@ -19,11 +19,11 @@ void iteration_frames(LessonRun& run, int index) {
 
 }  // namespace
 
-const Act kIteration{
+const Tour kIteration{
     .name = "iteration",
     .meaning = "iteration of the run",
-    .needs = {.table = &LessonSecond::kKind,
-              .table_is_optional = true,
+    .needs = {.settings = &LessonSecond::kKind,
+              .settings_are_optional = true,
               .takes_radius = true,
               .shown_of = ShownOf::both},
     .add_frames = iteration_frames,
@@ -37,4 +37,4 @@ const Act kIteration{
     .stage = layers::stage_step,
 };
 
-}  // namespace gjkscope::acts
+}  // namespace gjkscope::tours

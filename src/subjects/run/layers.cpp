@@ -299,7 +299,7 @@ void other_normal(SceneBuilder& scene) {
 
 const Layer kOtherNormal{.effect = OtherNormal::kName,
                          .on = Layer::On::every_view,
-                         .order = Layer::kOfAct + 10,
+                         .order = Layer::kOfTour + 10,
                          .draw = other_normal};
 
 namespace {
@@ -321,7 +321,7 @@ void turn(SceneBuilder& scene) {
 
 }  // namespace
 
-const Layer kTurn{.effect = {}, .on = Layer::On::world, .order = Layer::kOfAct + 11, .draw = turn};
+const Layer kTurn{.effect = {}, .on = Layer::On::world, .order = Layer::kOfTour + 11, .draw = turn};
 
 namespace {
 
@@ -341,7 +341,7 @@ void starts(SceneBuilder& scene) {
 }  // namespace
 
 const Layer kStarts{
-    .effect = {}, .on = Layer::On::world, .order = Layer::kOfAct + 12, .draw = starts};
+    .effect = {}, .on = Layer::On::world, .order = Layer::kOfTour + 12, .draw = starts};
 
 namespace {
 

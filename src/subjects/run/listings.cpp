@@ -343,7 +343,7 @@ const Listing kTriangle{
 const Listing kStructures{.name = "structures",
                           .meaning = "what a simplex is stored as",
                           .write = structures_listing,
-                          .act = "phase"};
+                          .tour = "phase"};
 const Listing kSupport{
     .name = "support", .meaning = "support point of a polygon", .write = support_listing};
 const Listing kGjkPoint{.name = "gjk-point",

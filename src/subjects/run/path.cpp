@@ -11,7 +11,7 @@
 #include "subjects/weights/barycentric.hpp"
 #include "subjects/weights/projection.hpp"
 
-namespace gjkscope::acts {
+namespace gjkscope::tours {
 namespace {
 
 void path_frames(LessonRun& run, int index) {
@@ -66,11 +66,11 @@ constexpr std::array kPathAsks = {kRegionAtPosition, asks::kClosest, asks::kSign
 
 }  // namespace
 
-const Act kPath{
+const Tour kPath{
     .name = "path",
     .meaning = "position of X on the path",
-    .needs = {.table = &LessonSecond::kKind,
-              .table_is_optional = true,
+    .needs = {.settings = &LessonSecond::kKind,
+              .settings_are_optional = true,
               .path = PathUse::needed,
               .shown_of = ShownOf::both},
     .add_frames = path_frames,
@@ -85,4 +85,4 @@ const Act kPath{
     .stage = layers::stage_step,
 };
 
-}  // namespace gjkscope::acts
+}  // namespace gjkscope::tours

@@ -5,7 +5,7 @@
 #include "subjects/run/subject.hpp"
 #include "subjects/second_run/table.hpp"
 
-namespace gjkscope::acts {
+namespace gjkscope::tours {
 namespace {
 
 bool is_chosen(const LessonRun& run, int index, int step) {
@@ -26,13 +26,13 @@ void phase_frames(LessonRun& run, int index) {
 
 }  // namespace
 
-const Act kPhase{
+const Tour kPhase{
     .name = "phase",
     .meaning =
         "phase of each iteration: closest point, drop, direction, support, stop "
         "tests, add",
-    .needs = {.table = &LessonSecond::kKind,
-              .table_is_optional = true,
+    .needs = {.settings = &LessonSecond::kKind,
+              .settings_are_optional = true,
               .takes_phases = true,
               .takes_radius = true,
               .shown_of = ShownOf::both},
@@ -47,4 +47,4 @@ const Act kPhase{
     .stage = layers::stage_step,
 };
 
-}  // namespace gjkscope::acts
+}  // namespace gjkscope::tours

@@ -77,7 +77,7 @@ class Asking {
     for (int i = gradual ? story_.knows.tests_reached + 1 : 0; i < order.count; ++i)
       asked_.choices.push_back(words_.face(order[i]));
     // In the order of the tests the first one left would be the answer.
-    if (gradual || run_.act->asking != nullptr)
+    if (gradual || run_.tour->asking != nullptr)
       std::sort(asked_.choices.begin(), asked_.choices.end());
     asked_.answer = words_.face(step_.after.region);
     text_.caption = fmt::format(

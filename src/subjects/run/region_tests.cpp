@@ -102,7 +102,7 @@ void tests(PanelBuilder& panel) {
   // Once P is found, its tests stay, with the simplex that they were about.
   Frame asked = panel.frame;
   const auto& steps = panel.run.run(asked).trace.steps;
-  if (panel.run.act->algorithm == &kGjkAlgorithm && panel.knows.phase != gjk::Phase::add)
+  if (panel.run.tour->algorithm == &kGjkAlgorithm && panel.knows.phase != gjk::Phase::add)
     while (asked.step > 0 && steps[asked.step].phase != gjk::Phase::closest) --asked.step;
   PanelBuilder before(panel.run, panel.effects, asked, panel.fonts, {});
   before.left = panel.left;

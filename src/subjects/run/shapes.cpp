@@ -186,7 +186,7 @@ void shape(SceneBuilder& scene, std::size_t body) {
     }
     scene.outline(corners);
   }
-  const bool counts_hulls = !scene.run.act->algorithm->takes_outlines;
+  const bool counts_hulls = !scene.run.tour->algorithm->takes_outlines;
   const double radius = counts_hulls || world.size() <= kMostDisks ? disk_radius(vertices) : 0.0;
   const std::vector<bool> seen = in_sight(scene, vertices);
   std::vector<Named> named(world.size(), world.size() <= kMostLabels ? Named::yes : Named::no);
@@ -327,7 +327,7 @@ void query_point(SceneBuilder& scene) {
     }
     // Along a path, on the side where the line to P is not.
     const bool has_way =
-        scene.run.act->sweeps && shows_closest_point(scene) && !reaches_query(scene);
+        scene.run.tour->sweeps && shows_closest_point(scene) && !reaches_query(scene);
     const Point away = has_way ? Point(q - scene.at_difference(scene.state.p)) : Point::Zero();
     scene.out.moving_labels.push_back(scene.label("Q", reaches_query(scene) ? "P = " + name : name,
                                                   "query.label", type::kVertex, q, kPointRadius,

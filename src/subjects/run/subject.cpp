@@ -6,7 +6,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::run{
-    .acts = {&acts::kIteration, &acts::kPath, &acts::kPhase, &acts::kTest, &acts::kSupport},
+    .tours = {&tours::kIteration, &tours::kPath, &tours::kPhase, &tours::kTest, &tours::kSupport},
     .blocks = {&blocks::kSimplex, &blocks::kScan, &blocks::kBounds, &blocks::kDirectionRules,
                &blocks::kPseudocode, &blocks::kStopTests, &blocks::kTests, &blocks::kRegions},
     .listings = {&listings::kSegment, &listings::kTriangle, &listings::kStructures,

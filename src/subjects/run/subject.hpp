@@ -1,9 +1,9 @@
 #pragma once
 // A run of GJK, iteration by iteration and phase by phase: what the files of this folder define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
@@ -17,13 +17,13 @@ enum class SupportPart { direction, of_y, of_x, of_z };
 /// shown.
 [[nodiscard]] std::optional<int> tried_tests(const LessonRun& run, const Frame& frame);
 
-namespace acts {
-extern const Act kIteration;
-extern const Act kPath;
-extern const Act kPhase;
-extern const Act kTest;
-extern const Act kSupport;
-}  // namespace acts
+namespace tours {
+extern const Tour kIteration;
+extern const Tour kPath;
+extern const Tour kPhase;
+extern const Tour kTest;
+extern const Tour kSupport;
+}  // namespace tours
 
 namespace blocks {
 

@@ -32,7 +32,7 @@ void start(const Story& story, FrameText& text) {
     text.caption = fmt::format("{} GJK starts anew with the {}.", moved, story.simplex_name());
   } else if (story.run.lesson.options.start.count == 0) {
     text.caption =
-        fmt::format("Start with {}, the vertex farthest along the line between the centres.",
+        fmt::format("Start with {}, the vertex farthest along the line between the centers.",
                     story.words.face(story.state.simplex.all()));
   } else if (count == 1) {
     text.caption =

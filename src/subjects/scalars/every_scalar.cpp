@@ -35,7 +35,7 @@ EveryScalar::Value EveryScalar::compute(EffectGraph&, const LessonRun& run, cons
   const auto answer = [&](ScalarKind scalar) {
     Lesson lesson = run.lesson;
     lesson.scalar = scalar;
-    PositionedRun again = run_lesson(std::move(lesson), *run.act).runs[frame.run];
+    PositionedRun again = run_lesson(std::move(lesson), *run.tour).runs[frame.run];
     std::string refused = why_not_drawn(again);
     return Answer{scalar, std::move(again), std::move(refused), 0};
   };

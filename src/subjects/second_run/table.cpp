@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "lesson/names.hpp"
+#include "lesson/settings_kind.hpp"
 #include "lesson/stop_tests.hpp"
-#include "lesson/table_kind.hpp"
 #include "mistakes/mistakes.hpp"
 
 namespace gjkscope {
@@ -87,7 +87,7 @@ void check_halves(const TableSource& source, const Field& scalar) {
   }
 }
 
-ActTable read_second(const TableSource& source) {
+TourSettings read_second(const TableSource& source) {
   LessonSecond second;
   const Field mistake = source.table["mistake"];
   const Field log = source.table["log"];
@@ -116,19 +116,18 @@ ActTable read_second(const TableSource& source) {
   } else if (mistake && source.lesson.dimension == 3) {
     refuse(mistake.place(), "a mistake in a loop in space",
            "points [x, y]: the textbook's page is of the plane");
-  } else if (source.lesson.act != kSideBySide && (!second.is_gjk() || second.has_rules() || log)) {
-    refuse(
-        source.place, "a second run that differs from the first in more than its scalar",
-        fmt::format("granularity = \"{}\" in [steps], which shows them side by side", kSideBySide));
+  } else if (source.lesson.tour != kSideBySide && (!second.is_gjk() || second.has_rules() || log)) {
+    refuse(source.place, "a second run that differs from the first in more than its scalar",
+           fmt::format("tour = \"{}\" in [steps], which shows them side by side", kSideBySide));
   }
   std::optional<NamedFile> file;
   if (log) file = read_log_file(source, log, second);
-  ActTable read(std::move(second));
+  TourSettings read(std::move(second));
   read.file = std::move(file);
   return read;
 }
 
-void write_second(const ActTable& table, TomlText& out) {
+void write_second(const TourSettings& table, TomlText& out) {
   const LessonSecond& second = *table.as<LessonSecond>();
   out.table("[second]");
   out.text("mistake", second.mistake, "");
@@ -163,9 +162,9 @@ std::string LessonSecond::rules() const {
   return fmt::format("{}", fmt::join(out, " and "));
 }
 
-const LessonSecond* second_of(const Lesson& lesson) { return lesson.table.as<LessonSecond>(); }
+const LessonSecond* second_of(const Lesson& lesson) { return lesson.settings.as<LessonSecond>(); }
 
-const TableKind LessonSecond::kKind = {kTable, "the run that is set beside the lesson's own",
-                                       second_keys, read_second, write_second};
+const SettingsKind LessonSecond::kKind = {kTable, "the run that is set beside the lesson's own",
+                                          second_keys, read_second, write_second};
 
 }  // namespace gjkscope

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "judge/log.hpp"
-#include "lesson/act_table.hpp"
 #include "lesson/lesson.hpp"
+#include "lesson/tour_settings.hpp"
 
 namespace gjkscope {
 
@@ -23,7 +23,7 @@ struct LessonSecond {
   std::optional<std::array<bool, 2>> stop = {};  ///< Whether to stop on a repeated support point,
                                                  ///< and on no progress.
   static constexpr std::string_view kTable = "second";
-  static const TableKind kKind;
+  static const SettingsKind kKind;
 
   [[nodiscard]] bool is_gjk() const { return mistake.empty() && !log; }
   [[nodiscard]] bool has_rules() const { return direction || regions || stop; }

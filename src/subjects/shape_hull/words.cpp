@@ -9,7 +9,7 @@
 namespace gjkscope::captions {
 
 void shape_hull(const Story& story, FrameText& text) {
-  if (!story.run.act->follows_run || !story.shows(ShapeHull::kName)) return;
+  if (!story.run.tour->follows_run || !story.shows(ShapeHull::kName)) return;
   const ShapeHull::Value& hulls = story.effects.get<ShapeHull>(story.frame);
   if (!story.run.point_query() || hulls.y.inside.empty()) return;
   const std::string inside = story.run.lesson.y().vertex_names[hulls.y.inside[0]];

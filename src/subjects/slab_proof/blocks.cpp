@@ -47,11 +47,11 @@ void reaches(PanelBuilder& panel) {
 const Block kSlabBlock{.name = "in-the-slab",
                        .meaning = "vertices that lie in the slab, how deep, and its width",
                        .write = reaches,
-                       .act = "slab-proof"};
+                       .tour = "slab-proof"};
 
 const Listing kListing{.name = "slab-proof",
                        .meaning = "from slab to slab to the closest points (Larsen 1998)",
                        .write = listing,
-                       .act = "slab-proof"};
+                       .tour = "slab-proof"};
 
 }  // namespace gjkscope::slabs

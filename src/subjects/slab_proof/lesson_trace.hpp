@@ -28,7 +28,7 @@ class SlabTrace final : public OutlineTrace {
 /// "vertex B of X"
 [[nodiscard]] std::string vertex_name(const Lesson& lesson, const slab_proof::Reach& reach);
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const SlabTrace& slab_trace(const AlgorithmTrace& trace) {
   return static_cast<const SlabTrace&>(trace);
 }

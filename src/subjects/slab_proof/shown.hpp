@@ -1,8 +1,8 @@
 #pragma once
-// The proof by slabs in pictures: what a frame shows of it, and what its act draws and says.
+// The proof by slabs in pictures: what a frame shows of it, and what its tour draws and says.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
+#include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "subjects/slab_proof/lesson_trace.hpp"
 

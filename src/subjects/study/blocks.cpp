@@ -4,12 +4,12 @@
 
 #include "base/decimal.hpp"
 #include "picture/words.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/dot_words.hpp"
 #include "subjects/study/plot.hpp"
 #include "subjects/study/rounded_pair.hpp"
 #include "subjects/study/subject.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 
 namespace gjkscope::blocks {
 namespace {
@@ -171,7 +171,7 @@ void needs(PanelBuilder& panel, const std::vector<StudyDot>& family) {
 }
 
 void study(PanelBuilder& panel) {
-  const LessonStudy& study = *panel.run.lesson.table.as<LessonStudy>();
+  const LessonStudy& study = *panel.run.lesson.settings.as<LessonStudy>();
   const StudyFrame frame = *study_frame(panel.run, panel.frame);
   const std::vector<StudyDot> family = of_family(study.dots(), study.family);
   if (frame.stage < StudyStage::error_axis) return pair(panel, frame.stage);
@@ -185,9 +185,9 @@ void study(PanelBuilder& panel) {
 
 const Block kStudy{.name = "study",
                    .meaning =
-                       "with granularity `study`: the answers to one pair, then the marks and what "
+                       "with tour `study`: the answers to one pair, then the marks and what "
                        "they are, the front, what to take",
                    .write = study,
-                   .act = "study"};
+                   .tour = "study"};
 
 }  // namespace gjkscope::blocks

@@ -7,12 +7,12 @@
 #include "picture/text_box.hpp"
 #include "picture/words.hpp"
 #include "subjects/growth/subject.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/dot_words.hpp"
 #include "subjects/study/plot.hpp"
 #include "subjects/study/rounded_pair.hpp"
 #include "subjects/study/subject.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 
 namespace gjkscope::layers {
 namespace {
@@ -260,7 +260,7 @@ class PairPicture {
 void study(SceneBuilder& scene, const Fonts& fonts) {
   const StudyFrame shown = *study_frame(scene.run, scene.frame);
   if (shown.stage < StudyStage::error_axis) return PairPicture(scene, fonts, shown.stage).draw();
-  add_plot(scene, study_plot(*scene.run.lesson.table.as<LessonStudy>(), shown), fonts);
+  add_plot(scene, study_plot(*scene.run.lesson.settings.as<LessonStudy>(), shown), fonts);
 }
 
 }  // namespace gjkscope::layers

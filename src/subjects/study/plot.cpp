@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "subjects/study/act.hpp"
 #include "subjects/study/dot_words.hpp"
 #include "subjects/study/subject.hpp"
+#include "subjects/study/tour.hpp"
 
 namespace gjkscope {
 namespace {

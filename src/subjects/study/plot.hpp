@@ -3,8 +3,8 @@
 
 #include "picture/plot.hpp"
 #include "run/run.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 
 namespace gjkscope {
 

@@ -5,7 +5,7 @@
 namespace gjkscope {
 
 const SubjectParts subjects::study{
-    .acts = {&acts::kStudy},
+    .tours = {&tours::kStudy},
     .blocks = {&blocks::kStudy},
     .effects = {&effect_infos::kRoundedPair},
 };

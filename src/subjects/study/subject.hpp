@@ -1,16 +1,16 @@
 #pragma once
 // The cost of accuracy: what the files of this folder define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
 
-namespace acts {
-extern const Act kStudy;
-}  // namespace acts
+namespace tours {
+extern const Tour kStudy;
+}  // namespace tours
 
 namespace blocks {
 extern const Block kStudy;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lesson/table_kind.hpp"
+#include "lesson/settings_kind.hpp"
 #include "subjects/study/subject.hpp"
 
 namespace gjkscope {
@@ -87,7 +87,7 @@ void read_mark(const TableSource& source, const Table& table, LessonStudy& study
   study.marks.push_back(std::move(mark));
 }
 
-ActTable read_study(const TableSource& source) {
+TourSettings read_study(const TableSource& source) {
   LessonStudy study;
   std::optional<NamedFile> file = read_results(source, study);
   if (!file) return {};
@@ -102,12 +102,12 @@ ActTable read_study(const TableSource& source) {
     const std::optional<Table> mark = source.reader.table(entry, "study.marks");
     if (mark && !study.family.empty()) read_mark(source, *mark, study);
   }
-  ActTable read(std::move(study));
+  TourSettings read(std::move(study));
   read.file = std::move(file);
   return read;
 }
 
-void write_study(const ActTable& table, TomlText& out) {
+void write_study(const TourSettings& table, TomlText& out) {
   const LessonStudy& study = *table.as<LessonStudy>();
   out.table("[study]");
   if (table.file) out.text("results", table.file->path, "");
@@ -123,7 +123,7 @@ void write_study(const ActTable& table, TomlText& out) {
 
 }  // namespace
 
-const TableKind LessonStudy::kKind = {"study", "results of `gjkscope study accuracy`", study_keys,
-                                      read_study, write_study};
+const SettingsKind LessonStudy::kKind = {"study", "results of `gjkscope study accuracy`",
+                                         study_keys, read_study, write_study};
 
 }  // namespace gjkscope

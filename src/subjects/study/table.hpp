@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lesson/act_table.hpp"
+#include "lesson/tour_settings.hpp"
 #include "subjects/study/results.hpp"
 
 namespace gjkscope {
@@ -38,7 +38,7 @@ struct LessonStudy {
       return each.family == family && each.configuration == configuration;
     });
   }
-  static const TableKind kKind;
+  static const SettingsKind kKind;
   friend bool operator==(const LessonStudy& a, const LessonStudy& b) {
     return a.family == b.family && a.marks == b.marks &&
            (a.results == b.results || *a.results == *b.results);

@@ -9,11 +9,11 @@
 #include "base/decimal.hpp"
 #include "picture/story.hpp"
 #include "subjects/answer/subject.hpp"
-#include "subjects/study/act.hpp"
 #include "subjects/study/dot_words.hpp"
 #include "subjects/study/rounded_pair.hpp"
 #include "subjects/study/subject.hpp"
 #include "subjects/study/table.hpp"
+#include "subjects/study/tour.hpp"
 
 namespace gjkscope::captions {
 namespace {
@@ -217,7 +217,7 @@ std::string ratio_words(double ratio) {
 }  // namespace
 
 void study_question(const Story& story, FrameText& text) {
-  const LessonStudy& study = *story.run.lesson.table.as<LessonStudy>();
+  const LessonStudy& study = *story.run.lesson.settings.as<LessonStudy>();
   const StudyFrame before = *study_frame(story.run, story.frame);
   const std::string& ask = story.run.asked(story.frame).ask;
   FrameQuestion& asked = text.question.emplace(FrameQuestion{ask, {}, {}});
@@ -245,7 +245,7 @@ void study_question(const Story& story, FrameText& text) {
 }
 
 void study(const Story& story, FrameText& text) {
-  const LessonStudy& study = *story.run.lesson.table.as<LessonStudy>();
+  const LessonStudy& study = *story.run.lesson.settings.as<LessonStudy>();
   const StudyFrame frame = *study_frame(story.run, story.frame);
   const auto pair = [&]() -> const RoundedPair::Value& {
     return story.effects.get<RoundedPair>(story.frame);

@@ -2,9 +2,9 @@
 // The slab that support points prove empty, and how much of Z was computed: declarations of the
 // files of this folder.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {

@@ -33,13 +33,13 @@ constexpr std::array<PlaceholderInfo, 2> kValues = {
 LessonRun alone(const Lesson& lesson, PositionedRun positioned) {
   LessonRun out;
   out.lesson = lesson;
-  out.lesson.act = acts::kPhase.name;
-  out.lesson.table = {};
+  out.lesson.tour = tours::kPhase.name;
+  out.lesson.settings = {};
   out.lesson.questions.clear();
-  out.act = &acts::kPhase;
+  out.tour = &tours::kPhase;
   out.algorithm_traces.push_back(kGjkAlgorithm.run(lesson, positioned, nullptr));
   out.runs.push_back(std::move(positioned));
-  acts::kPhase.add_frames(out, 0);
+  tours::kPhase.add_frames(out, 0);
   return out;
 }
 

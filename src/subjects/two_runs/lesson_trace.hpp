@@ -39,7 +39,7 @@ class TwoRunsTrace final : public AlgorithmTrace {
   double exact = 0.0;                           ///< The distance.
 };
 
-/// Only of a run of the act that shows this algorithm.
+/// Only of a run of the tour that shows this algorithm.
 [[nodiscard]] const TwoRunsTrace& two_runs_of(const LessonRun& run, const Frame& frame);
 
 }  // namespace gjkscope

@@ -41,14 +41,14 @@ std::optional<LoadedLesson> log_as_lesson(std::string_view text,
   lesson.prose = "Left is GJK from where the log starts, right the run of the log.";
   lesson.x() = shape_of(read.log->x, "X", 'x');
   lesson.y() = shape_of(read.log->y, "Y", 'y');
-  lesson.act = "two-runs";
+  lesson.tour = "two-runs";
   lesson.views = {{ViewKind::difference, "GJK: Z = Y − X", {}, {}},
                   {ViewKind::difference, "The log: Z = Y − X", {}, {}}};
   lesson.panel = {"both-runs", "two-answers"};
   LessonSecond second;
   second.log = std::make_shared<const judging::Log>(*std::move(read.log));
-  lesson.table = ActTable(std::move(second));
-  lesson.table.file = NamedFile{file.filename().string(), std::make_shared<std::string>(text)};
+  lesson.settings = TourSettings(std::move(second));
+  lesson.settings.file = NamedFile{file.filename().string(), std::make_shared<std::string>(text)};
   lesson.expect.stop = name_of(run_lesson(lesson).runs.front().trace.result.stop);
   // The loader says what a lesson cannot hold.
   return parse_lesson(lesson_toml(lesson), file, vocabulary(),

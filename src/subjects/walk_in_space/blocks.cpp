@@ -108,13 +108,13 @@ const Block kFeatures{
         "in space: the pair of features that the walk is at, and how deep the other's closest "
         "point lies in a region; along a path steps of the walk and of GJK",
     .write = features,
-    .act = "lin-canny-in-space",
+    .tour = "lin-canny-in-space",
     .shown_of = ShownOf::space};
 
 const Listing kListing{.name = "lin-canny-in-space",
                        .meaning = "the walk on vertices, edges and faces (Lin and Canny 1991)",
                        .write = listing,
-                       .act = "lin-canny-in-space",
+                       .tour = "lin-canny-in-space",
                        .shown_of = ShownOf::space};
 
 }  // namespace gjkscope::space_walks

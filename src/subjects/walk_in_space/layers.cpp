@@ -46,7 +46,7 @@ void way_on(SceneBuilder& scene, const Shown& shown) {
 
 const Layer kBehind{
     .effect = {}, .on = Layer::On::world, .order = 50, .draw = [](SceneBuilder& scene) {
-      if (scene.run.act->algorithm == &kWalkInSpaceAlgorithm)
+      if (scene.run.tour->algorithm == &kWalkInSpaceAlgorithm)
         region(scene, Shown(scene.run, scene.frame), false);
     }};
 

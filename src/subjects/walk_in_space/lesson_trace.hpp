@@ -56,7 +56,7 @@ class SpaceWalk final : public AlgorithmTrace {
   int cold = 0;  ///< Iterations of GJK from the lesson's start; along a path.
 };
 
-/// Only for traces of runs of an act that shows this algorithm.
+/// Only for traces of runs of a tour that shows this algorithm.
 [[nodiscard]] inline const SpaceWalk& space_walk_trace(const AlgorithmTrace& trace) {
   return static_cast<const SpaceWalk&>(trace);
 }

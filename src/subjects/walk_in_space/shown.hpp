@@ -1,13 +1,13 @@
 #pragma once
-// The walk on features in space in pictures: what a frame shows of it, and what its act draws and
+// The walk on features in space in pictures: what a frame shows of it, and what its tour draws and
 // says.
 
 #include <optional>
 #include <string_view>
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "subjects/walk_in_space/growth.hpp"
 #include "subjects/walk_in_space/lesson_trace.hpp"
 

@@ -89,7 +89,7 @@ const Layer kParts{.effect = gjkscope::BarycentricParts::kName,
 
 bool shows_closest_point(const SceneBuilder& scene) {
   // Frames that measure weights along a path leave P out: it would lie on what they measure.
-  const bool measures = scene.run.act->sweeps && scene.shows(BarycentricParts::kName);
+  const bool measures = scene.run.tour->sweeps && scene.shows(BarycentricParts::kName);
   return scene.knows.closest_point && !measures;
 }
 

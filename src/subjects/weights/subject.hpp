@@ -1,9 +1,9 @@
 #pragma once
 // Barycentric coordinates: lengths, areas, the linear system: what the files of this folder define.
 
-#include "picture/act.hpp"
 #include "picture/block.hpp"
 #include "picture/layer.hpp"
+#include "picture/tour.hpp"
 #include "run/effect_info.hpp"
 
 namespace gjkscope {
