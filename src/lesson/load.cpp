@@ -76,7 +76,7 @@ class LessonReader {
   void read_tour_settings(const Table& file);
   void check_table_is_shown();
   void read_steps(const Table& steps, const Table& file);
-  void check_tour(const Tour& tour, const Field& tour, const Table& file);
+  void check_tour(const Tour& tour, const Field& name, const Table& file);
   void check_needs(const Term& term, const Field& field, std::string_view what);
   void read_effects(const Field& effects, LessonView& view);
   [[nodiscard]] Camera read_camera(const Table& table);
@@ -489,9 +489,9 @@ void LessonReader::check_needs(const Term& term, const Field& field, std::string
   }
 }
 
-void LessonReader::check_tour(const Tour& tour, const Field& tour, const Table& file) {
+void LessonReader::check_tour(const Tour& tour, const Field& name, const Table& file) {
   const auto refuse = [&](std::string_view what, std::string expected) {
-    problems_.add(tour.place(), fmt::format("tour '{}' {}", tour.name, what), std::move(expected));
+    problems_.add(name.place(), fmt::format("tour '{}' {}", tour.name, what), std::move(expected));
   };
   const TourNeeds& needs = tour.needs;
   for (const std::string_view table : needs.required_tables()) {
@@ -522,13 +522,13 @@ void LessonReader::check_tour(const Tour& tour, const Field& tour, const Table& 
 
 void LessonReader::read_steps(const Table& steps, const Table& file) {
   const std::vector<std::string> known = names_of(vocabulary_.tours);
-  Field tour = steps["tour"];
-  tour.expected = one_of(known);
-  if (const std::optional<std::string> chosen = reader_.name(tour, "tour", known)) {
+  Field name = steps["tour"];
+  name.expected = one_of(known);
+  if (const std::optional<std::string> chosen = reader_.name(name, "tour", known)) {
     lesson_.tour = *chosen;
-    check_tour(*vocabulary_.tour(*chosen), tour, file);
+    check_tour(*vocabulary_.tour(*chosen), name, file);
   } else {
-    tour_is_known_ = !tour;
+    tour_is_known_ = !name;
   }
   const Tour& tour = *vocabulary_.tour(lesson_.tour);
   if (!tour.algorithm->takes_outlines) {

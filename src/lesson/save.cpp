@@ -150,7 +150,7 @@ std::string lesson_toml(const Lesson& lesson) {
   write_query(out, lesson);
   write_steps(out, lesson);
   if (lesson.path_of_shapes) write_path(out, *lesson.path_of_shapes, lesson.dimension);
-  if (const SettingsKind* kind = lesson.settings.kind()) kind->write(lesson.table, out);
+  if (const SettingsKind* kind = lesson.settings.kind()) kind->write(lesson.settings, out);
   for (const LessonView& view : lesson.views) write_view(out, view, lesson);
   out.table("[panel]");
   if (!lesson.panel.empty()) out.list("blocks", as_texts(lesson.panel));
