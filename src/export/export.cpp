@@ -217,7 +217,7 @@ std::string beamer(const std::string& pdf, const std::string& title,
 }
 
 /// A lesson on its way into files.
-struct LessonOnItsWay {
+struct LessonJob {
   LessonRun run;
   std::vector<FrameText> texts;
   std::vector<Picture> pictures;  ///< None where all files are up to date.
@@ -285,15 +285,15 @@ class Exporter {
   /// Makes the lesson's files, or hands its frames to the writer. False when a signal came before
   /// the last one.
   bool add(const Lesson& lesson, std::size_t lesson_index, Progress& progress) {
-    LessonOnItsWay way = run(lesson);
-    const auto [first, last] = way.steps;
+    LessonJob job = run(lesson);
+    const auto [first, last] = job.steps;
     const int count = last - first + 1;
     lesson_index_ = lesson_index;
     progress_ = &progress;
-    const bool complete = has_file_per_frame(options_.format) ? add_frames(way) : add_document(way);
+    const bool complete = has_file_per_frame(options_.format) ? add_frames(job) : add_document(job);
     if (!complete) return false;
     progress.lesson(lesson_index, lesson.id, count);
-    describe(way);
+    describe(job);
     return true;
   }
 
@@ -317,11 +317,11 @@ class Exporter {
   }
 
  private:
-  LessonOnItsWay run(const Lesson& lesson) {
+  LessonJob run(const Lesson& lesson) {
     Lesson asked_for = lesson;
     if (!options_.questions) asked_for.questions.clear();
-    LessonOnItsWay way{run_lesson(std::move(asked_for)), {}, {}, {}, {}, made_from_};
-    for (const PositionedRun& positioned : way.run.runs) {
+    LessonJob job{run_lesson(std::move(asked_for)), {}, {}, {}, {}, made_from_};
+    for (const PositionedRun& positioned : job.run.runs) {
       if (const std::string why = why_not_drawn(positioned); !why.empty()) {
         throw std::runtime_error(
             fmt::format("{}: {}; `gjkscope check` says where", lesson.id, why));
@@ -331,21 +331,21 @@ class Exporter {
       throw std::runtime_error(
           fmt::format("{}: its shapes are in the plane, which does not turn", lesson.id));
     }
-    way.steps = step_range(options_, lesson.id, static_cast<int>(way.run.frames.size()));
-    way.toml = lesson_toml(way.run.lesson);
-    way.made_from.add(lesson.id);
-    way.made_from.add(way.toml);
-    if (const auto& file = lesson.settings.file) way.made_from.add(*file->text);
-    EffectGraph effects(way.run);
-    way.texts = lesson_texts(way.run, effects);
+    job.steps = step_range(options_, lesson.id, static_cast<int>(job.run.frames.size()));
+    job.toml = lesson_toml(job.run.lesson);
+    job.made_from.add(lesson.id);
+    job.made_from.add(job.toml);
+    if (const auto& file = lesson.settings.file) job.made_from.add(*file->text);
+    EffectGraph effects(job.run);
+    job.texts = lesson_texts(job.run, effects);
     // The files between two frames are known only once pictures are made.
     const bool has_more_files = options_.fps > 0 && has_file_per_frame(options_.format);
-    if (is_up_to_date(way) && !has_more_files) return way;
-    for (FramePicture& each : lesson_pictures(way.run, effects, fonts_, page_)) {
+    if (is_up_to_date(job) && !has_more_files) return job;
+    for (FramePicture& each : lesson_pictures(job.run, effects, fonts_, page_)) {
       leave_out_captions(each.picture);
-      way.pictures.push_back(std::move(each.picture));
+      job.pictures.push_back(std::move(each.picture));
     }
-    return way;
+    return job;
   }
 
   void leave_out_captions(Picture& picture) const {
@@ -355,9 +355,9 @@ class Exporter {
     });
   }
 
-  [[nodiscard]] std::filesystem::path file_of(const LessonOnItsWay& way, int step,
+  [[nodiscard]] std::filesystem::path file_of(const LessonJob& job, int step,
                                               int between = 0) const {
-    const std::string& id = way.run.lesson.id;
+    const std::string& id = job.run.lesson.id;
     if (!options_.file_name.empty()) return options_.out_dir / options_.file_name;
     if (has_file_per_frame(options_.format)) {
       return options_.out_dir / frame_name(id, step, options_.format, between);
@@ -368,19 +368,19 @@ class Exporter {
     return !options_.force && mentions(file, key);
   }
   /// Also refuses, before anything is drawn, to replace what was not exported.
-  [[nodiscard]] bool is_up_to_date(const LessonOnItsWay& way) const {
-    const auto [first, last] = way.steps;
-    if (options_.file_name.empty()) may_write(sidecar_file(way.run.lesson.id));
+  [[nodiscard]] bool is_up_to_date(const LessonJob& job) const {
+    const auto [first, last] = job.steps;
+    if (options_.file_name.empty()) may_write(sidecar_file(job.run.lesson.id));
     if (!has_file_per_frame(options_.format)) {
-      may_write(file_of(way, first));
-      if (options_.format == Format::tex) may_write(pages_of(file_of(way, first)));
-      return has(file_of(way, first), way.key(first, last));
+      may_write(file_of(job, first));
+      if (options_.format == Format::tex) may_write(pages_of(file_of(job, first)));
+      return has(file_of(job, first), job.key(first, last));
     }
     bool all = true;
     for (int step = first; step <= last; ++step) {
-      may_write(file_of(way, step));
-      if (options_.caption == CaptionPlace::file) may_write(caption_file(file_of(way, step)));
-      all = all && has(file_of(way, step), way.key(step, step));
+      may_write(file_of(job, step));
+      if (options_.caption == CaptionPlace::file) may_write(caption_file(file_of(job, step)));
+      all = all && has(file_of(job, step), job.key(step, step));
     }
     return all;
   }
@@ -394,24 +394,24 @@ class Exporter {
   }
   [[nodiscard]] std::filesystem::path index_file() const { return options_.out_dir / "index.html"; }
 
-  bool add_frames(LessonOnItsWay& way) {
-    const auto [first, last] = way.steps;
+  bool add_frames(LessonJob& job) {
+    const auto [first, last] = job.steps;
     for (int step = first; step <= last; ++step) {
       if (is_stopped()) return false;
       const auto at = static_cast<std::size_t>(step - 1);
-      const std::filesystem::path file = file_of(way, step);
-      if (way.is_up_to_date()) {
+      const std::filesystem::path file = file_of(job, step);
+      if (job.is_up_to_date()) {
         files_.push_back(file);
         ++frame_count_;
         ++kept_count_;
       } else {
         int between = 0;
-        for (const Picture& picture : on_the_way(way, step))
-          add_image(way, step, picture, ++between);
-        add_image(way, step, way.pictures[at]);
+        for (const Picture& picture : on_the_way(job, step))
+          add_image(job, step, picture, ++between);
+        add_image(job, step, job.pictures[at]);
       }
-      write_caption(file, way.texts[step - 1]);
-      progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
+      write_caption(file, job.texts[step - 1]);
+      progress_->frame(lesson_index_, job.run.lesson.id, step - first + 1, last - first + 1);
     }
     return true;
   }
@@ -421,19 +421,19 @@ class Exporter {
                                          : SignalWatch::signal() != 0;
   }
 
-  void add_image(const LessonOnItsWay& way, int step, const Picture& picture, int between = 0) {
-    const std::filesystem::path file = file_of(way, step, between);
+  void add_image(const LessonJob& job, int step, const Picture& picture, int between = 0) {
+    const std::filesystem::path file = file_of(job, step, between);
     files_.push_back(file);
     ++frame_count_;
-    const std::string key = way.key(step, step, between);
+    const std::string key = job.key(step, step, between);
     if (has(file, key)) {
       ++kept_count_;
       return;
     }
     may_write(file);
-    const FrameText& text = way.texts[step - 1];
-    writer_.submit({picture, file, way.run.lesson.title, alternative_text(text),
-                    record_text(way.record(key, step, step))});
+    const FrameText& text = job.texts[step - 1];
+    writer_.submit({picture, file, job.run.lesson.title, alternative_text(text),
+                    record_text(job.record(key, step, step))});
   }
   /// For one thread.
   [[nodiscard]] FrameWriter::Write write_frame() const {
@@ -455,11 +455,11 @@ class Exporter {
   }
 
   /// The pictures between a step and the one before it; none where nothing moves.
-  [[nodiscard]] std::vector<Picture> on_the_way(const LessonOnItsWay& way, int step) const {
+  [[nodiscard]] std::vector<Picture> on_the_way(const LessonJob& job, int step) const {
     std::vector<Picture> out;
-    if (step == way.steps.first) return out;
-    const Picture& from = way.pictures[step - 2];
-    const Picture& to = way.pictures[step - 1];
+    if (step == job.steps.first) return out;
+    const Picture& from = job.pictures[step - 2];
+    const Picture& to = job.pictures[step - 1];
     const auto count = std::lround(kTweenSeconds * options_.fps);
     for (long i = 1; i < count; ++i) {
       out.push_back(tween(from, to, static_cast<double>(i) / static_cast<double>(count)));
@@ -468,38 +468,37 @@ class Exporter {
     return out;
   }
 
-  bool add_document(LessonOnItsWay& way) {
-    const auto [first, last] = way.steps;
-    const std::filesystem::path file = file_of(way, first);
-    const std::string key = way.key(first, last);
-    const Record record = way.record(key, first, last);
-    if (way.is_up_to_date()) {
+  bool add_document(LessonJob& job) {
+    const auto [first, last] = job.steps;
+    const std::filesystem::path file = file_of(job, first);
+    const std::string key = job.key(first, last);
+    const Record record = job.record(key, first, last);
+    if (job.is_up_to_date()) {
       kept_count_ += last - first + 1;
     } else if (is_film(options_.format)) {
-      if (!add_film(way, file, record_text(record))) return false;
+      if (!add_film(job, file, record_text(record))) return false;
     } else {
-      write_document(way, file, record);
+      write_document(job, file, record);
     }
     files_.push_back(file);
     frame_count_ += last - first + 1;
     return true;
   }
 
-  void write_document(LessonOnItsWay& way, const std::filesystem::path& file,
-                      const Record& record) {
+  void write_document(LessonJob& job, const std::filesystem::path& file, const Record& record) {
     std::vector<PdfFigure> figures;
     for (const RecordedFrame& frame : record.frames) {
       const auto index = static_cast<std::size_t>(frame.step - 1);
-      const FrameText& text = way.texts[index];
-      figures.push_back({std::move(way.pictures[index]),
-                         fmt::format("{} {}", way.run.lesson.id, frame.step),
+      const FrameText& text = job.texts[index];
+      figures.push_back({std::move(job.pictures[index]),
+                         fmt::format("{} {}", job.run.lesson.id, frame.step),
                          fmt::format("{}. {}", frame.step, text.position),
                          fmt::format("{}. {}", frame.step, alternative_text(text))});
     }
     const double points = options_.dpi > 0.0 ? 72.0 / options_.dpi : 1.0;
     const std::string pdf =
         to_pdf(figures, fonts_, theme_,
-               {way.run.lesson.title, fmt::format("{} from {}", signature(), record.key),
+               {job.run.lesson.title, fmt::format("{} from {}", signature(), record.key),
                 record_text(record)},
                {points * options_.scale, options_.handout, options_.transparent});
     if (options_.format == Format::pdf) return write_bytes(file, pdf);
@@ -507,33 +506,33 @@ class Exporter {
     write_bytes(pages, pdf);
     files_.push_back(pages);
     // The key is in both: without its pages the document is out of date.
-    write_bytes(file, beamer(pages.filename().string(), way.run.lesson.title, record.frames) +
+    write_bytes(file, beamer(pages.filename().string(), job.run.lesson.title, record.frames) +
                           fmt::format("% {}\n", record.key));
   }
 
-  bool add_film(const LessonOnItsWay& way, const std::filesystem::path& file,
+  bool add_film(const LessonJob& job, const std::filesystem::path& file,
                 const std::string& record) {
-    const auto [first, last] = way.steps;
+    const auto [first, last] = job.steps;
     if (!canvas_) canvas_ = canvas();
     Image image;
     std::unique_ptr<Film> film;
     const auto show = [&](const Picture& picture, double seconds) {
       canvas_->paint(picture, image);
-      if (!film) film = film_of(file, image, {record, way.run.lesson.title});
+      if (!film) film = film_of(file, image, {record, job.run.lesson.title});
       film->add(image, seconds);
     };
     std::optional<Turntable> turntable;
-    if (options_.turn != 0.0) turntable.emplace(way.run, fonts_, page_);
+    if (options_.turn != 0.0) turntable.emplace(job.run, fonts_, page_);
     for (int step = first; step <= last; ++step) {
       if (is_stopped()) return false;
       const double seconds = step == last ? 2.0 * options_.seconds : options_.seconds;
       if (turntable) {
-        if (!add_turning(*turntable, way.steps, step, seconds, show)) return false;
+        if (!add_turning(*turntable, job.steps, step, seconds, show)) return false;
       } else {
-        for (const Picture& picture : on_the_way(way, step)) show(picture, 1.0 / options_.fps);
-        show(way.pictures[step - 1], seconds);
+        for (const Picture& picture : on_the_way(job, step)) show(picture, 1.0 / options_.fps);
+        show(job.pictures[step - 1], seconds);
       }
-      progress_->frame(lesson_index_, way.run.lesson.id, step - first + 1, last - first + 1);
+      progress_->frame(lesson_index_, job.run.lesson.id, step - first + 1, last - first + 1);
     }
     if (is_stopped()) return false;
     film->finish();
@@ -588,8 +587,8 @@ class Exporter {
     return std::make_unique<Canvas>(fonts_, theme_, more);
   }
 
-  void describe(LessonOnItsWay& way) {
-    const Lesson& lesson = way.run.lesson;
+  void describe(LessonJob& job) {
+    const Lesson& lesson = job.run.lesson;
     ExportedLesson exported{lesson.id,
                             lesson.title,
                             lesson.chapter,
@@ -597,17 +596,17 @@ class Exporter {
                             options_.theme,
                             options_.width,
                             options_.height,
-                            static_cast<int>(way.texts.size()),
+                            static_cast<int>(job.texts.size()),
                             {},
                             {}};
-    for (int step = way.steps.first; step <= way.steps.last; ++step) {
+    for (int step = job.steps.first; step <= job.steps.last; ++step) {
       exported.frames.push_back(
-          {step, file_of(way, step).filename().string(), std::move(way.texts[step - 1])});
+          {step, file_of(job, step).filename().string(), std::move(job.texts[step - 1])});
     }
     if (options_.index && lesson.tour == "course-map") {
-      EffectGraph effects(way.run);
-      LessonPictures pictures(way.run, effects, fonts_, page_);
-      exported.tiles = tiles_of_map(pictures.picture(way.steps.last - 1));
+      EffectGraph effects(job.run);
+      LessonPictures pictures(job.run, effects, fonts_, page_);
+      exported.tiles = tiles_of_map(pictures.picture(job.steps.last - 1));
       for (Rect& tile : exported.tiles) {
         tile.min *= page_.zoom;
         tile.max *= page_.zoom;

@@ -318,8 +318,9 @@ struct LessonPictures::View {
     const Rect part{map(seen[3]), map(seen[1])};
     if (contains(card, part.center())) return;
     const double radius = std::max(kRing, 0.5 * part.size().maxCoeff());
-    const Point way = card.center() - part.center();
-    const Obstacles::Segment line{part.center() + radius / way.norm() * way, card.center()};
+    const Point difference = card.center() - part.center();
+    const Obstacles::Segment line{part.center() + radius / difference.norm() * difference,
+                                  card.center()};
     scene.marks.push_back({"inset.line", Polyline{{line.a, line.b}}});
     scene.marks.push_back({"inset.line", Disk{part.center(), radius}});
     scene.obstacles.segments.push_back(line);

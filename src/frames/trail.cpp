@@ -58,10 +58,11 @@ double room_around(const Point& cell) { return std::min(kRoom, kShare * cell.min
 Camera fitted(const LessonRun& run, const LessonView& view, Camera camera, const Rect& cell) {
   const Rect box = seen(run, view, StageMap(cell, camera, HUGE_VAL));
   const Point off = box.center() - cell.center();
-  const Eigen::Vector2d way =
+  const Eigen::Vector2d difference =
       camera.units_per_pixel(cell.size().y()).cwiseProduct(Eigen::Vector2d(off.x(), -off.y()));
-  camera.center += camera.eye ? Eigen::Vector3d(axes_of(*camera.eye).topRows<2>().transpose() * way)
-                              : in_space(way);
+  camera.center += camera.eye
+                       ? Eigen::Vector3d(axes_of(*camera.eye).topRows<2>().transpose() * difference)
+                       : in_space(difference);
   const Point room = (cell.size() - Point::Constant(2.0 * room_around(cell.size()))).cwiseMax(1.0);
   camera.height *= (box.size().array() / room.array()).maxCoeff();
   return camera;
@@ -97,8 +98,9 @@ void draw_cell(Scene& scene, Scene step, const Rect& cell, const Fonts& fonts) {
     }
     Arrow* const arrow = std::get_if<Arrow>(&mark.shape);
     if (arrow == nullptr) continue;
-    const Point way = arrow->to - arrow->from;
-    arrow->to = arrow->from + std::min(1.0, 0.3 * cell.size().minCoeff() / way.norm()) * way;
+    const Point difference = arrow->to - arrow->from;
+    arrow->to =
+        arrow->from + std::min(1.0, 0.3 * cell.size().minCoeff() / difference.norm()) * difference;
     for (LabelRequest& label : step.moving_labels) {
       if (label.id.starts_with("arrow:")) label.anchor = 0.4 * arrow->from + 0.6 * arrow->to;
     }

@@ -3,30 +3,13 @@
 //
 // To understand the algorithm, read in this order: query.hpp, vector.hpp, simplex.hpp, state.hpp,
 // regions.hpp, direction.hpp, support.hpp, stop.hpp, loop.hpp; record.hpp holds what each phase
-// notes. The folder proof keeps rounding in check; its answer.hpp makes the answer (result.hpp).
+// notes, trace.hpp a whole run. The folder proof keeps rounding in check; its answer.hpp makes the
+// answer (result.hpp).
 
 #include "gjk/proof/answer.hpp"
+#include "gjk/trace.hpp"
 
 namespace gjk {
-
-/// One phase of a trace: the state after it, its record, and the bounds proved so far.
-template <class R, int D>
-struct Step {
-  Phase phase = Phase::closest;
-  int iteration = 1;
-  State<R, D> after;
-  Record<R, D> record;
-  Bounds<typename ScalarTraits<R>::Real> bounds;  ///< In the run's unit.
-};
-
-/// A whole run: `steps` holds every phase. It is empty only for a query that `prepare` refused.
-template <class R, int D>
-struct Trace {
-  Prepared<R, D> prepared;
-  State<R, D> initial;
-  std::vector<Step<R, D>> steps;
-  Result<R, D> result;
-};
 
 namespace detail {
 template <class R, class S, int D>

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "gjk/gjk.hpp"
+#include "gjk/state.hpp"
 #include "lesson/eye.hpp"
 #include "lesson/tour_settings.hpp"
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "gjk/proof/result.hpp"
 #include "lesson/lesson.hpp"
 
 namespace gjkscope {

@@ -51,7 +51,7 @@ template <class Polynomial>
 
 /// The way from one point to another, in the scalar N.
 template <class N>
-[[nodiscard]] gjk::Vec<N, 3> way(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+[[nodiscard]] gjk::Vec<N, 3> difference(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return {N(to[0]) - N(from[0]), N(to[1]) - N(from[1]), N(to[2]) - N(from[2])};
 }
 

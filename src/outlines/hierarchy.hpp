@@ -37,11 +37,11 @@ inline constexpr double kRoundoff = 0x1p-53;
 /// safe.
 inline constexpr double kLeast = 0x1p-450;
 
-[[nodiscard]] inline double length_above(const Point& way) {
-  return std::max(kLeast, way.norm() * (1.0 + 4.0 * kRoundoff));
+[[nodiscard]] inline double length_above(const Point& difference) {
+  return std::max(kLeast, difference.norm() * (1.0 + 4.0 * kRoundoff));
 }
-[[nodiscard]] inline double length_below(const Point& way) {
-  const double length = way.norm();
+[[nodiscard]] inline double length_below(const Point& difference) {
+  const double length = difference.norm();
   return length < kLeast ? 0.0 : length * (1.0 - 4.0 * kRoundoff);
 }
 
@@ -181,8 +181,8 @@ class Builder {
   return from.x() <= box.high.x() && box.low.y() <= from.y() && from.y() <= box.high.y();
 }
 [[nodiscard]] inline bool ray_meets(const Point& from, const Circle& circle) {
-  const Point way = (1.0 - 4.0 * kRoundoff) * (from - circle.center);
-  return way.x() <= circle.radius && std::abs(way.y()) <= circle.radius;
+  const Point difference = (1.0 - 4.0 * kRoundoff) * (from - circle.center);
+  return difference.x() <= circle.radius && std::abs(difference.y()) <= circle.radius;
 }
 
 }  // namespace detail

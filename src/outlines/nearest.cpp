@@ -16,13 +16,13 @@ using Exact = gjk::Vec<Rational, 2>;
 constexpr double kRoundoff = 0x1p-53;
 
 Exact exact(const Point& p) { return gjk::converted<Rational>(p); }
-Exact exact_way(const Point& from, const Point& to) { return exact(to) - exact(from); }
+Exact exact_difference(const Point& from, const Point& to) { return exact(to) - exact(from); }
 
 /// Squares and products of such numbers keep their digits.
 bool is_safe(double size) { return 0x1p-900 < size && size < 0x1p+900; }
 
 /// A difference of two coordinates.
-struct Way {
+struct Difference {
   double to;
   double from;
   [[nodiscard]] double value() const { return to - from; }
@@ -39,8 +39,8 @@ int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
 /// The sign of p q + `sign` * r s. The rounded sum is off by at most (3 + 16 u) u (|pq| + |rs|)
 /// (Shewchuk 1997, ccwerrboundA).
 template <class Settle>
-int sign_of_products(const Way& p, const Way& q, int sign, const Way& r, const Way& s,
-                     const Settle& settle) {
+int sign_of_products(const Difference& p, const Difference& q, int sign, const Difference& r,
+                     const Difference& s, const Settle& settle) {
   const double first = p.value() * q.value();
   const double second = sign * (r.value() * s.value());
   const double sum = first + second;
@@ -71,12 +71,12 @@ Bounds point_bounds(const Point& p, const Point& q) {
 
 /// Bounds of a point's distance from the line through two others: |cross(b - a, p - a)| / |b - a|.
 Bounds line_bounds(const Point& p, const Segment& s) {
-  const Point way = s.b - s.a;
+  const Point difference = s.b - s.a;
   const Point to = p - s.a;
-  const double first = way.x() * to.y();
-  const double second = way.y() * to.x();
+  const double first = difference.x() * to.y();
+  const double second = difference.y() * to.x();
   const double size = std::abs(first) + std::abs(second);
-  const double square = way.squaredNorm();
+  const double square = difference.squaredNorm();
   if (!is_safe(size) || !is_safe(square)) return {};
   const double area = std::abs(first - second);
   const double error = 4.0 * kRoundoff * size;
@@ -121,11 +121,11 @@ struct Square {
 };
 
 Square square_of(const Measured& m) {
-  const Exact way = exact_way(m.q, m.r);
-  const Exact to = exact_way(m.q, m.p);
+  const Exact difference = exact_difference(m.q, m.r);
+  const Exact to = exact_difference(m.q, m.p);
   if (m.q == m.r) return {gjk::dot(to, to)};
-  const Rational area = gjk::cross(way, to);
-  return {area * area, gjk::dot(way, way)};
+  const Rational area = gjk::cross(difference, to);
+  return {area * area, gjk::dot(difference, difference)};
 }
 
 bool in_box(const Point& p, const Segment& s) {
@@ -157,28 +157,31 @@ Point rounded(const Exact& p) { return {to_double(p[0]), to_double(p[1])}; }
 
 /// The point of the line through s that is nearest to p.
 Point foot(const Point& p, const Segment& s) {
-  const Exact way = exact_way(s.a, s.b);
-  const Rational share = gjk::dot(way, exact_way(s.a, p)) / gjk::dot(way, way);
-  return rounded(exact(s.a) + Exact(share * way[0], share * way[1]));
+  const Exact difference = exact_difference(s.a, s.b);
+  const Rational share =
+      gjk::dot(difference, exact_difference(s.a, p)) / gjk::dot(difference, difference);
+  return rounded(exact(s.a) + Exact(share * difference[0], share * difference[1]));
 }
 
 Point crossing(const Segment& s, const Segment& t) {
-  const Exact way = exact_way(s.a, s.b);
-  const Exact other = exact_way(t.a, t.b);
-  const Rational share = gjk::cross(exact_way(s.a, t.a), other) / gjk::cross(way, other);
-  return rounded(exact(s.a) + Exact(share * way[0], share * way[1]));
+  const Exact difference = exact_difference(s.a, s.b);
+  const Exact other = exact_difference(t.a, t.b);
+  const Rational share =
+      gjk::cross(exact_difference(s.a, t.a), other) / gjk::cross(difference, other);
+  return rounded(exact(s.a) + Exact(share * difference[0], share * difference[1]));
 }
 
 }  // namespace
 
 int turn(const Point& a, const Point& b, const Point& c) {
-  return sign_of_products({b.x(), a.x()}, {c.y(), a.y()}, -1, {b.y(), a.y()}, {c.x(), a.x()},
-                          [&] { return gjk::cross(exact_way(a, b), exact_way(a, c)); });
+  return sign_of_products({b.x(), a.x()}, {c.y(), a.y()}, -1, {b.y(), a.y()}, {c.x(), a.x()}, [&] {
+    return gjk::cross(exact_difference(a, b), exact_difference(a, c));
+  });
 }
 
 int dot_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
   return sign_of_products({b.x(), a.x()}, {d.x(), c.x()}, 1, {b.y(), a.y()}, {d.y(), c.y()},
-                          [&] { return gjk::dot(exact_way(a, b), exact_way(c, d)); });
+                          [&] { return gjk::dot(exact_difference(a, b), exact_difference(c, d)); });
 }
 
 int along(const Point& a, const Point& b, const Point& p) { return dot_sign(a, b, a, p); }

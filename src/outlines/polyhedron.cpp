@@ -18,7 +18,7 @@ namespace gjkscope {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-int volume_sign(const Way& u, const Way& w, const Way& v) {
+int volume_sign(const Difference& u, const Difference& w, const Difference& v) {
   const Vector3d a = u.rounded();
   const Vector3d b = w.rounded();
   const Vector3d c = v.rounded();
@@ -32,8 +32,8 @@ int volume_sign(const Way& u, const Way& w, const Way& v) {
   constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
   if (std::abs(volume) > kRounding * larger.dot(c.cwiseAbs()) + std::numeric_limits<double>::min())
     return volume > 0.0 ? 1 : -1;
-  const auto exact = [](const Way& way, int i) {
-    return gjk::Expansion(way.to[i]) - gjk::Expansion(way.from[i]);
+  const auto exact = [](const Difference& difference, int i) {
+    return gjk::Expansion(difference.to[i]) - gjk::Expansion(difference.from[i]);
   };
   const auto minor = [&](int i, int j) {
     return exact(u, i) * exact(w, j) - exact(u, j) * exact(w, i);

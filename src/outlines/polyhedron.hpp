@@ -45,13 +45,13 @@ struct Polyhedron {
                                                           std::size_t points);
 
 /// From one point to another, which outlive it.
-struct Way {
+struct Difference {
   const Eigen::Vector3d& from;
   const Eigen::Vector3d& to;
   [[nodiscard]] Eigen::Vector3d rounded() const { return to - from; }
 };
 /// Sign of (u × w) · v. Exact.
-[[nodiscard]] int volume_sign(const Way& u, const Way& w, const Way& v);
+[[nodiscard]] int volume_sign(const Difference& u, const Difference& w, const Difference& v);
 
 /// Sign of the volume of abcd: positive where d lies on the side from which abc turns clockwise.
 /// Exact.

@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector3d;
 using gjk::cross;
 using gjk::dot;
+using gjkscope::difference;
 using gjkscope::sign_of;
 using gjkscope::value_of;
-using gjkscope::way;
 template <class N>
 using Vec = gjk::Vec<N, 3>;
 using Edge = gjkscope::Polyhedron::Edge;
@@ -36,19 +36,20 @@ const Vector3d& corner(const Body& body, const Body::Face& face, int i) {
 }
 template <class N>
 Vec<N> along(const Body& body, int edge) {
-  return way<N>(point(body, at(body.edges, edge).from), point(body, at(body.edges, edge).to));
+  return difference<N>(point(body, at(body.edges, edge).from),
+                       point(body, at(body.edges, edge).to));
 }
 /// A normal that points outwards, of any length.
 template <class N>
 Vec<N> normal(const Body& body, const Body::Face& face) {
   const int third = count_of(face.vertices) / 3;  // corners far apart round least
   const Vector3d& from = corner(body, face, 0);
-  return cross(way<N>(from, corner(body, face, third)),
-               way<N>(from, corner(body, face, 2 * third)));
+  return cross(difference<N>(from, corner(body, face, third)),
+               difference<N>(from, corner(body, face, 2 * third)));
 }
 template <class N>
 N height(const Body& body, const Body::Face& face, const Vector3d& p) {
-  return dot(normal<N>(body, face), way<N>(corner(body, face, 0), p));
+  return dot(normal<N>(body, face), difference<N>(corner(body, face, 0), p));
 }
 int side_of(const Body& body, const Body::Face& face, const Vector3d& p) {
   return sign_of([&]<class N>(N) { return height<N>(body, face, p); });
@@ -58,13 +59,13 @@ int side_of(const Body& body, const Body::Face& face, const Vector3d& p) {
 template <class N>
 struct Spot {
   const Vector3d* from = nullptr;
-  Vec<N> way = Vec<N>(N(0), N(0), N(0));
+  Vec<N> difference = Vec<N>(N(0), N(0), N(0));
   N weight = N(1);
 };
 /// The way from a point to a spot, times its weight.
 template <class N>
-Vec<N> way_to(const Vector3d& from, const Spot<N>& spot) {
-  return way<N>(from, *spot.from) * spot.weight + spot.way;
+Vec<N> difference_to(const Vector3d& from, const Spot<N>& spot) {
+  return difference<N>(from, *spot.from) * spot.weight + spot.difference;
 }
 
 /// A feature of one body, seen beside one of the other.
@@ -90,7 +91,7 @@ template <class N>
 Shares<N> shares(const Side& a, const Side& b) {
   const Vec<N> u = along<N>(a.body, a.feature.index);
   const Vec<N> w = along<N>(b.body, b.feature.index);
-  const Vec<N> r = way<N>(b.from(), a.from());
+  const Vec<N> r = difference<N>(b.from(), a.from());
   const N uw = dot(u, w);
   return {uw * dot(w, r) - dot(w, w) * dot(u, r), dot(u, u) * dot(w, r) - uw * dot(u, r),
           dot(u, u) * dot(w, w) - uw * uw};
@@ -106,7 +107,7 @@ Spot<N> foot(const Side& a, const Side& b) {
   }
   const Vec<N> u = along<N>(a.body, a.feature.index);
   if (b.feature.kind == Kind::vertex)
-    return {&a.from(), u * dot(u, way<N>(a.from(), b.vertex())), dot(u, u)};
+    return {&a.from(), u * dot(u, difference<N>(a.from(), b.vertex())), dot(u, u)};
   const Shares<N> s = shares<N>(a, b);
   return {&a.from(), u * s.of_a, s.common};
 }
@@ -115,7 +116,8 @@ Spot<N> foot(const Side& a, const Side& b) {
 template <class Foot>
 int spot_on(const Vector3d& a, const Vector3d& b, const Foot& spot) {
   const auto from = [&](const Vector3d& end) {
-    return sign_of([&]<class N>(N n) { return dot(way<N>(a, b), way_to<N>(end, spot(n))); });
+    return sign_of(
+        [&]<class N>(N n) { return dot(difference<N>(a, b), difference_to<N>(end, spot(n))); });
   };
   return from(a) <= 0 ? -1 : from(b) >= 0 ? 1 : 0;
 }
@@ -157,8 +159,8 @@ int search(int count, int least, const Value& value, const Weight& weight, const
 template <class N>
 N beyond_side(const Body& body, const Body::Face& face, int i, const Spot<N>& spot) {
   const Vector3d& from = corner(body, face, i);
-  const Vec<N> out = cross(way<N>(from, corner(body, face, i + 1)), normal<N>(body, face));
-  return dot(out, way_to<N>(from, spot));
+  const Vec<N> out = cross(difference<N>(from, corner(body, face, i + 1)), normal<N>(body, face));
+  return dot(out, difference_to<N>(from, spot));
 }
 
 /// The feature of a face that is nearest to a spot over or below the face's plane: the face itself
@@ -240,7 +242,7 @@ void look_at_edges(const Look& look) {
   }
   const int volume = sign_of([&]<class N>(N) {
     return dot(cross(along<N>(a.body, a.feature.index), along<N>(b.body, b.feature.index)),
-               way<N>(a.from(), b.from()));
+               difference<N>(a.from(), b.from()));
   });
   if (volume == 0) look.overlap(Reason::meet);
 }
@@ -252,8 +254,8 @@ std::optional<std::array<int, 2>> crossed_sides(const Body& body, const Body::Fa
   const int count = count_of(face.vertices);
   // How far corner i lies on one side of the line: 1 for its left, seen from outside.
   const auto beside = [&]<class N>(N, int i, int side) {
-    const N left =
-        dot(cross(normal<N>(body, face), way<N>(a, b)), way<N>(a, corner(body, face, i)));
+    const N left = dot(cross(normal<N>(body, face), difference<N>(a, b)),
+                       difference<N>(a, corner(body, face, i)));
     return side > 0 ? left : -left;
   };
   const auto find = [&](int side) {
@@ -329,7 +331,8 @@ void clip(const Look& look, bool edge_of_x) {
   const Clip part{share_at(entry, 0.0), share_at(exit, 1.0), side_at(entry, a), side_at(exit, b)};
   look.record.clip = part;
   if (part.side_from * part.side_to <= 0) return look.overlap(Reason::penetration);
-  const int slope = sign_of([&]<class N>(N) { return dot(normal<N>(body, face), way<N>(a, b)); });
+  const int slope =
+      sign_of([&]<class N>(N) { return dot(normal<N>(body, face), difference<N>(a, b)); });
   const bool nearer_at_start = slope * part.side_from >= 0;
   const int side = nearer_at_start ? entry : exit;
   if (side >= 0) return take_side(Reason::clip_side, side);
@@ -347,7 +350,8 @@ void look_at_vertex(const Look& look, bool vertex_of_x) {
     if (spot != 0) return look.take(Reason::edge_end, !vertex_of_x, end_of(other, spot));
     const auto is_zero = [&](int i) {
       return sign_of([&]<class N>(N) {
-               return N(cross(way<N>(other.from(), other.to()), way<N>(other.from(), p))[i]);
+               return N(cross(difference<N>(other.from(), other.to()),
+                              difference<N>(other.from(), p))[i]);
              }) == 0;
     };
     if (is_zero(0) && is_zero(1) && is_zero(2)) look.overlap(Reason::meet);
@@ -408,12 +412,14 @@ void look_at_region(const Look& look, bool of_x) {
     const std::vector<int>& spokes = at(own.body.spokes, own.feature.index);
     const auto spoke = [&]<class N>(N, int i) {
       const Edge& edge = at(own.body.edges, at(spokes, i));
-      return way<N>(own.vertex(),
-                    point(own.body, edge.from == own.feature.index ? edge.to : edge.from));
+      return difference<N>(own.vertex(),
+                           point(own.body, edge.from == own.feature.index ? edge.to : edge.from));
     };
     const int crossed = search(
         count_of(spokes), 1,
-        [&]<class N>(N n, int i) { return dot(spoke(n, i), way_to<N>(own.vertex(), spot(n))); },
+        [&]<class N>(N n, int i) {
+          return dot(spoke(n, i), difference_to<N>(own.vertex(), spot(n)));
+        },
         [&]<class N>(N n, int i) {  // the face between the last spoke and the first
           const Edge& edge = at(own.body.edges, spokes.back());
           const int face = edge.from == own.feature.index ? edge.left : edge.right;
@@ -430,7 +436,7 @@ void look_at_region(const Look& look, bool of_x) {
       const int inward = sign_of([&]<class N>(N n) {
         return dot(cross(normal<N>(own.body, at(own.body.faces, face)),
                          along<N>(own.body, own.feature.index)),
-                   way_to<N>(own.from(), spot(n)));
+                   difference_to<N>(own.from(), spot(n)));
       });
       const int side = is_left ? inward : -inward;
       note(Reason::edge_border, {Kind::face, face}, side);
@@ -469,10 +475,10 @@ std::pair<Vec<N>, N> gap(const Side& a, const Side& b) {
       return {-back, weight};
     }
     const Spot<N> to = foot<N>(b, a);
-    return {way_to<N>(a.vertex(), to), to.weight};
+    return {difference_to<N>(a.vertex(), to), to.weight};
   }
   const Vec<N> k = cross(along<N>(a.body, a.feature.index), along<N>(b.body, b.feature.index));
-  return {k * dot(k, way<N>(a.from(), b.from())), dot(k, k)};
+  return {k * dot(k, difference<N>(a.from(), b.from())), dot(k, k)};
 }
 
 Points points_of(const Side& a, const Side& b) {
@@ -481,18 +487,19 @@ Points points_of(const Side& a, const Side& b) {
     for (int i = 0; i < 3; ++i) {
       const auto coordinate = [&]<class N>(N) {
         const Spot<N> spot = foot<N>(own, other);
-        return N(N((*spot.from)[i]) * spot.weight + spot.way[i]);
+        return N(N((*spot.from)[i]) * spot.weight + spot.difference[i]);
       };
       const long double weight = value_of([&]<class N>(N) { return foot<N>(own, other).weight; });
       out[i] = static_cast<double>(value_of(coordinate) / weight);
     }
     return out;
   };
-  std::array<long double, 3> way = {};
+  std::array<long double, 3> difference = {};
   for (std::size_t i = 0; i < 3; ++i)
-    way[i] = value_of([&]<class N>(N) { return N(gap<N>(a, b).first[static_cast<int>(i)]); });
+    difference[i] =
+        value_of([&]<class N>(N) { return N(gap<N>(a, b).first[static_cast<int>(i)]); });
   const long double weight = value_of([&]<class N>(N) { return gap<N>(a, b).second; });
-  const long double length = std::hypot(way[0], way[1], way[2]) / weight;
+  const long double length = std::hypot(difference[0], difference[1], difference[2]) / weight;
   return {place(a, b), place(b, a), static_cast<double>(length)};
 }
 

@@ -39,9 +39,9 @@ Convex::Convex(std::vector<Facet> faces, const PointsInSpace& points)
   }
   for (const int corner : convex_hull(seen)) outline.push_back(seen[corner]);
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point way = outline[(i + 1) % outline.size()] - outline[i];
+    const Point edge = outline[(i + 1) % outline.size()] - outline[i];
     sides.push_back({{Vector3d(outline[i].x(), outline[i].y(), 0.0)},
-                     Vector3d(way.y(), -way.x(), 0.0).normalized()});
+                     Vector3d(edge.y(), -edge.x(), 0.0).normalized()});
   }
   constexpr double kMost = 1000.0;  // pixels: a size that can be seen
   touching = 1e-6 * std::min(box.sizes().norm(), kMost);

@@ -229,10 +229,10 @@ Mark LabelPlacer::place(const LabelRequest& request, bool fixed) {
     return request.anchor + place.beside + 0.5 * place.face.cwiseProduct(size);
   };
   const auto is_cut_off = [&](const Point& middle) {
-    const Point way = middle - request.anchor;
-    const double length = way.norm();
+    const Point difference = middle - request.anchor;
+    const double length = difference.norm();
     if (length <= request.gap) return false;
-    const Obstacles::Segment visible{request.anchor + request.gap / length * way, middle};
+    const Obstacles::Segment visible{request.anchor + request.gap / length * difference, middle};
     return segments_.any_near(visible.box(),
                               [&](const auto& item) { return cross(visible, item.shape); });
   };

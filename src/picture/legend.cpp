@@ -55,18 +55,18 @@ std::vector<Polyline> hatched_sign(const Point& center) {
 
 /// The part of a segment that lies in a box.
 double length_in(const Rect& box, const Obstacles::Segment& segment) {
-  const Point way = segment.b - segment.a;
+  const Point difference = segment.b - segment.a;
   double from = 0.0;
   double to = 1.0;
   for (int axis = 0; axis < 2; ++axis) {
     const double low = box.min[axis] - segment.a[axis];
     const double high = box.max[axis] - segment.a[axis];
-    if (way[axis] == 0.0 && (low > 0.0 || high < 0.0)) return 0.0;
-    if (way[axis] == 0.0) continue;
-    from = std::max(from, std::min(low / way[axis], high / way[axis]));
-    to = std::min(to, std::max(low / way[axis], high / way[axis]));
+    if (difference[axis] == 0.0 && (low > 0.0 || high < 0.0)) return 0.0;
+    if (difference[axis] == 0.0) continue;
+    from = std::max(from, std::min(low / difference[axis], high / difference[axis]));
+    to = std::min(to, std::max(low / difference[axis], high / difference[axis]));
   }
-  return std::max(to - from, 0.0) * way.norm();
+  return std::max(to - from, 0.0) * difference.norm();
 }
 
 /// Pixels of lines that a legend may cover: hiding a part of a line is better than not naming it.

@@ -131,9 +131,9 @@ class Field {
   static int cells_along(double length) {
     return std::max(1, static_cast<int>(std::ceil(length / kCell)));
   }
-  static int cell_along(double way, int count) {
+  static int cell_along(double place, int count) {
     // In this order what is no number counts as beyond the last.
-    return static_cast<int>(std::max(0.0, std::min(count - 1.0, std::floor(way / kCell))));
+    return static_cast<int>(std::max(0.0, std::min(count - 1.0, std::floor(place / kCell))));
   }
   [[nodiscard]] int row_of(double y) const { return cell_along(y - bounds_.min.y(), rows_); }
   [[nodiscard]] int column_of(double x) const { return cell_along(x - bounds_.min.x(), columns_); }

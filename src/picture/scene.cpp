@@ -228,11 +228,11 @@ void SceneBuilder::link(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
 }
 
 double SceneBuilder::arrow_length(const Eigen::Vector3d& p) const {
-  const double way = (at_difference(p) - at_difference(Vector2d::Zero())).norm();
+  const double length = (at_difference(p) - at_difference(Vector2d::Zero())).norm();
   // Nothing but the direction is to be seen when P and O are one point to the eye.
-  if (way < kPointRadius) return kArrowLength;
+  if (length < kPointRadius) return kArrowLength;
   // An arrow as long as the way to O would hide O under its head.
-  return way < 1.4 * kArrowLength ? std::max(0.6 * way, kShortArrow) : kArrowLength;
+  return length < 1.4 * kArrowLength ? std::max(0.6 * length, kShortArrow) : kArrowLength;
 }
 
 Camera camera_around(const Eigen::AlignedBox2d& box, const Rect& area) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "gjk/regions.hpp"
 #include "lesson/names.hpp"
 
 namespace gjkscope {

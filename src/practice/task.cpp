@@ -293,7 +293,7 @@ double size_of(const Lesson& lesson) {
 /// hull holds the disk or ball of radius 1. In the plane it is an octagon, 1 / cos(π/8) long. In
 /// space a face has the corners (1, 0, 0), (1, 1, 1) / √3 and (1, 1, -1) / √3, so its plane is x +
 /// (√3 - 1) y = 1.
-std::vector<Vector3d> ways(int dimension) {
+std::vector<Vector3d> directions(int dimension) {
   const double length =
       std::sqrt(dimension == 2 ? 4.0 - 2.0 * std::sqrt(2.0) : 5.0 - 2.0 * std::sqrt(3.0));
   std::vector<Vector3d> out;
@@ -304,7 +304,7 @@ std::vector<Vector3d> ways(int dimension) {
       if (dimension == 3) out.emplace_back(x, y, -1.0);
     }
   }
-  for (Vector3d& way : out) way = length * way.normalized();
+  for (Vector3d& direction : out) direction = length * direction.normalized();
   return out;
 }
 
@@ -326,8 +326,8 @@ bool is_far_from_ties(const Kind& kind, const Lesson& lesson, const Decision& fo
   for (LessonShape& shape : moved.bodies) {
     for (Vector3d& vertex : shape.vertices) {
       const Vector3d before = vertex;
-      for (const Vector3d& way : ways(lesson.dimension)) {
-        vertex = before + reach * way;
+      for (const Vector3d& direction : directions(lesson.dimension)) {
+        vertex = before + reach * direction;
         if (!is_same(decision(kind, run_lesson(moved)))) return false;
       }
       vertex = before;

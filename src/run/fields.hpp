@@ -2,7 +2,7 @@
 // The parts that traces are written with, whatever the algorithm: numbers, points, vertices and
 // scans as JSON, and lines of text.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

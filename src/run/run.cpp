@@ -125,9 +125,9 @@ Placement placement_at(const LessonShape& shape, const LessonMotion& motion, dou
   Placement placement{shape.translate, shape.rotate_degrees, shape.axis};
   if (motion.points.size() < 2) return placement;
   const std::size_t legs = motion.points.size() - 1;
-  const double way = part * static_cast<double>(legs);
-  const std::size_t k = std::min(static_cast<std::size_t>(way), legs - 1);
-  const double t = way - static_cast<double>(k);
+  const double leg = part * static_cast<double>(legs);
+  const std::size_t k = std::min(static_cast<std::size_t>(leg), legs - 1);
+  const double t = leg - static_cast<double>(k);
   placement.translate = motion.points[k] + t * (motion.points[k + 1] - motion.points[k]);
   if (!motion.turns.empty())
     placement.rotate_degrees = motion.turns[k] + t * (motion.turns[k + 1] - motion.turns[k]);

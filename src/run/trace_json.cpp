@@ -1,6 +1,7 @@
 #include "run/trace_json.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "lesson/names.hpp"
 #include "lesson/vocabulary.hpp"

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nlohmann/json.hpp>
+
 #include "lesson/vocabulary.hpp"
 #include "run/fields.hpp"
 #include "run/trace_json.hpp"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "gjk/gjk.hpp"
+#include "gjk/trace.hpp"
 #include "lesson/plane.hpp"
 
 namespace gjkscope {

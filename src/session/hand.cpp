@@ -214,17 +214,18 @@ bool Hand::press(const Subject& subject, const Point& page, double handle_slack)
 Vector3d Hand::along_axis(const Held& held, const Point& page, const Vector3d& from) const {
   const LessonPictures::ShownView shown = session_.views()[held.view];
   const StageMap map(shown.card, shown.camera);
-  const Point way = page - held.pressed;
+  const Point difference = page - held.pressed;
   int best = 0;
   double most = -1.0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double follows = std::abs(way.dot(map.direction(Vector3d::Unit(axis)).normalized()));
+    const double follows =
+        std::abs(difference.dot(map.direction(Vector3d::Unit(axis)).normalized()));
     if (!(follows > most)) continue;
     most = follows;
     best = axis;
   }
   const Point unit = map(shown.camera.center + Vector3d::Unit(best)) - map(shown.camera.center);
-  const double to = from[best] + way.dot(unit) / unit.squaredNorm();
+  const double to = from[best] + difference.dot(unit) / unit.squaredNorm();
   const double step = round_step(held.view).x();
   return (std::round(to / step) * step - from[best]) * Vector3d::Unit(best);
 }

@@ -46,7 +46,7 @@ class Verdict {
     }
   }
 
-  void way(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
     for (const LessonPictures::ShownView& shown : views_) {
       if (shown.kind != ViewKind::world) continue;
       const StageMap map(shown.card, shown.camera);
@@ -122,7 +122,7 @@ void add_verdict(Picture& picture, const LessonRun& run,
                  const Answer& answer) {
   Verdict verdict(picture, run, views, asked);
   if (answer.pointed && answer.origin) return verdict.directions(answer);
-  if (answer.pointed && answer.place) return verdict.way(*answer.pointed, *answer.place);
+  if (answer.pointed && answer.place) return verdict.line(*answer.pointed, *answer.place);
   verdict.mark(answer.right, "verdict.right", false);
   if (!answer.is_right()) verdict.mark(answer.chosen, "verdict.wrong", true);
 }

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "gjk/gjk.hpp"
+
 namespace bench {
 namespace {
 

@@ -1,6 +1,7 @@
 #pragma once
 // Pairs in space that meet, of every family.
 
+#include "gjk/gjk.hpp"
 #include "pairs.hpp"
 #include "truth_in_space.hpp"
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/rational.hpp"
+#include "gjk/gjk.hpp"
 #include "pairs_in_space.hpp"
 
 namespace test::space {

@@ -180,11 +180,12 @@ using Near = std::array<long double, 2>;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Near& a = hull[i];
     const Near& b = hull[(i + 1) % hull.size()];
-    const Near way = {b[0] - a[0], b[1] - a[1]};
-    const long double length_sq = way[0] * way[0] + way[1] * way[1];
-    const long double from_a = -(a[0] * way[0] + a[1] * way[1]);
+    const Near difference = {b[0] - a[0], b[1] - a[1]};
+    const long double length_sq = difference[0] * difference[0] + difference[1] * difference[1];
+    const long double from_a = -(a[0] * difference[0] + a[1] * difference[1]);
     const long double share = length_sq > 0 ? std::clamp(from_a / length_sq, 0.0L, 1.0L) : 0.0L;
-    nearest = std::min(nearest, std::hypot(a[0] + share * way[0], a[1] + share * way[1]));
+    nearest =
+        std::min(nearest, std::hypot(a[0] + share * difference[0], a[1] + share * difference[1]));
     inside = inside && cross(a, b) >= 0;
   }
   return inside ? -nearest : nearest;

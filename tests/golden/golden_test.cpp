@@ -142,12 +142,12 @@ TEST(Golden, EveryLessonStatesItsOutcomeAndKeepsItsWord) {
   for (const Lesson& lesson : testing::shipped_lessons()) {
     const LessonRun run = run_lesson(lesson);
     const Expectation& expect = lesson.expect;
-    if (!run.act->algorithm->takes_outlines) {
+    if (!run.tour->algorithm->takes_outlines) {
       EXPECT_TRUE(expect.stop && expect.supports && expect.distance)
           << lesson.path << ": [expect] needs 'stop', 'supports' and 'distance'";
     } else {
       EXPECT_FALSE(expect.answers.empty()) << lesson.path << ": [expect] needs 'answer'";
-      EXPECT_EQ(expect.stop.has_value(), !run.act->algorithm->stops.empty())
+      EXPECT_EQ(expect.stop.has_value(), !run.tour->algorithm->stops.empty())
           << lesson.path << ": [expect] needs 'stop' where the algorithm has stop reasons";
     }
     for (const Problem& problem : check_expectation(run)) ADD_FAILURE() << to_string(problem);

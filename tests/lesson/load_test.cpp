@@ -345,7 +345,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"\"gjk\"", "¦\"GJK\"", "unknown listing 'GJK'", "gjk"},
         Refused{"\"top left\"", "¦\"top-left\"", "unknown corner 'top-left'", "top left"},
         Refused{"stop = \"no-progress\"", "stop = ¦\"running\"", "unknown stop reason 'running'"},
-        Refused{"[\"M-C\", \"K-A\"]", "¦\"center-to-center\"", "unknown start 'center-to-center'",
+        Refused{"[\"M-C\", \"K-A\"]", "¦\"centre-to-centre\"", "unknown start 'centre-to-centre'",
                 "center-to-center"},
         Refused{"\"The distance", "¦\"The {distanc}", "unknown placeholder 'distanc'", "distance"},
         Refused{"\"The distance", "¦\"The { distance", "'prose' holds a single '{'"},
@@ -372,6 +372,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[\"M-C\", \"K-A\"]", "¦[]", "'start' has 0 entries"},
         Refused{"[\"M-C\", \"K-A\"]", "¦[\"K-A\", \"K-B\", \"K-C\", \"L-A\"]",
                 "'start' has 4 entries"},
+        Refused{"tour = \"iteration\"", "¦granularity = \"iteration\"",
+                "'granularity' has another name now"},
         Refused{"tour = \"iteration\"\nuntil = \"stop\"", "tour = \"test\"\nuntil = ¦\"stop\"",
                 "'until' with tour 'test'"},
         Refused{"\"iteration\"\nuntil = \"stop\"\n\n[path]\npoints = [[0, 0], [1, 1]]\nframes = 13",
@@ -408,10 +410,10 @@ TEST(Load, TimeHasMomentsForEachPosition) {
   const std::string text = testing::file_text(testing::lessons_folder() / "segment-balance.toml");
   LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  ASSERT_TRUE(loaded.lesson->table.as<LessonTime>());
-  EXPECT_EQ(loaded.lesson->table.as<LessonTime>()->seconds, 6.0);
-  EXPECT_EQ(loaded.lesson->table.as<LessonTime>()->frames, 0);
-  ASSERT_EQ(loaded.lesson->table.as<LessonTime>()->moments.size(), 4u);
+  ASSERT_TRUE(loaded.lesson->settings.as<LessonTime>());
+  EXPECT_EQ(loaded.lesson->settings.as<LessonTime>()->seconds, 6.0);
+  EXPECT_EQ(loaded.lesson->settings.as<LessonTime>()->frames, 0);
+  ASSERT_EQ(loaded.lesson->settings.as<LessonTime>()->moments.size(), 4u);
   loaded.lesson->questions.clear();
   const LessonRun run = run_lesson(*loaded.lesson);
   ASSERT_EQ(run.frames.size(), 2u + 4u + 1u + 3u);
@@ -452,12 +454,12 @@ TEST(Load, GrowthHasAscendingNumbersOfVertices) {
   const std::string text = testing::file_text(testing::lessons_folder() / "lazy-hull.toml");
   const LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  ASSERT_TRUE(loaded.lesson->table.as<LessonGrowth>());
-  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->vertices.size(), 12u);
-  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->vertices.back(), 1'000'000);
-  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->runs, 100);
-  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->seed, 1998);
-  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->tolerance, 0.001);
+  ASSERT_TRUE(loaded.lesson->settings.as<LessonGrowth>());
+  EXPECT_EQ(loaded.lesson->settings.as<LessonGrowth>()->vertices.size(), 12u);
+  EXPECT_EQ(loaded.lesson->settings.as<LessonGrowth>()->vertices.back(), 1'000'000);
+  EXPECT_EQ(loaded.lesson->settings.as<LessonGrowth>()->runs, 100);
+  EXPECT_EQ(loaded.lesson->settings.as<LessonGrowth>()->seed, 1998);
+  EXPECT_EQ(loaded.lesson->settings.as<LessonGrowth>()->tolerance, 0.001);
   const Edits refused = {
       {"[3, 10,", "[2, 10,", "entry 1 of 'vertices' is 2"},
       {"[3, 10,", "[3, 3, 10,", "3 vertices after 3; expected ascending numbers"},
@@ -481,9 +483,9 @@ TEST(Load, GrowthHasATimeForEachSize) {
   const std::string text = testing::file_text(testing::lessons_folder() / "general-growth.toml");
   const LoadedLesson loaded = parse(text);
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  ASSERT_TRUE(loaded.lesson->table.as<LessonGrowth>()->times);
-  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->times->pieces.size(), 4u);
-  EXPECT_EQ(loaded.lesson->table.as<LessonGrowth>()->times->build.size(), 9u);
+  ASSERT_TRUE(loaded.lesson->settings.as<LessonGrowth>()->times);
+  EXPECT_EQ(loaded.lesson->settings.as<LessonGrowth>()->times->pieces.size(), 4u);
+  EXPECT_EQ(loaded.lesson->settings.as<LessonGrowth>()->times->build.size(), 9u);
   const Edits refused = {{"vertices = [10, 30,", "vertices = [30,", "9 times for 8 sizes"},
                          {"pieces = [", "pieces = [1, 2, 3, 4, 5, 6, ", "10 times for 9 sizes"},
                          {"boxes = [", "boxes = [-1, ", "entry 1 of 'boxes' is -1"},
@@ -496,7 +498,7 @@ TEST(Load, AStudyShowsWhatItsFileHolds) {
   const std::string text = testing::file_text(file);
   const LoadedLesson loaded = parse_lesson(text, file, vocabulary());
   ASSERT_TRUE(loaded.lesson) << all_of(loaded.problems);
-  const LessonStudy& study = *loaded.lesson->table.as<LessonStudy>();
+  const LessonStudy& study = *loaded.lesson->settings.as<LessonStudy>();
   for (const StudyMark& mark : study.marks)
     EXPECT_EQ(study.dot(mark.configuration).configuration, mark.configuration);
   EXPECT_FALSE(study.processor().empty());
@@ -627,7 +629,7 @@ TEST(Load, PairsAreSteppedThroughForSmallShapesOnly) {
   const LoadedLesson loaded = parse(text);
   ASSERT_EQ(loaded.problems.size(), 1u) << all_of(loaded.problems);
   EXPECT_EQ(to_string(loaded.problems[0]),
-            "lessons/two.toml:29:15: tour 'pairs' with a shape of 9 vertices; expected at "
+            "lessons/two.toml:29:8: tour 'pairs' with a shape of 9 vertices; expected at "
             "most 8 vertices in each shape");
 }
 

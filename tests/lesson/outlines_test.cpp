@@ -124,7 +124,7 @@ TEST(Volumes, AreChosenWhereTreesAreBuilt) {
   ASSERT_TRUE(tiles.lesson);
   EXPECT_EQ(trees_of(*tiles.lesson), (LessonTrees{VolumeKind::tiles, 0.25}));
   EXPECT_EQ(*load(lesson_toml(*tiles.lesson)).lesson, *tiles.lesson);
-  tiles.lesson->table = TourSettings(LessonTrees{});
+  tiles.lesson->settings = TourSettings(LessonTrees{});
   EXPECT_EQ(*load(lesson_toml(*tiles.lesson)).lesson, *tiles.lesson) << "an empty table stays";
   EXPECT_EQ(problem(with_volumes("circles", "hierarchy-distance") + "tile = 0.25\n"),
             "x.toml:17:8: 'tile' without tiles; expected volumes = \"tiles\"");

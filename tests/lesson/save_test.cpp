@@ -419,7 +419,7 @@ Lesson any_lesson(Random& random) {
     static const TourSettings kShipped =
         with_absolute_file(
             *load_lesson(testing::lessons_folder() / "accuracy-cost.toml", vocabulary()).lesson)
-            .table;
+            .settings;
     out.settings = kShipped;
     std::vector<StudyMark>& marks = out.settings.edit<LessonStudy>().marks;
     marks.resize(1 + below(random, marks.size()));

@@ -66,9 +66,9 @@ std::string complaint(const std::string& tour, const std::string& table) {
 TEST(TourSettings, OfATourFromElsewhereIsReadAndWritten) {
   const LoadedLesson loaded = load("walk", "[walls]\ncount = 7\n");
   ASSERT_TRUE(loaded.lesson) << to_string(loaded.problems.front());
-  ASSERT_NE(loaded.lesson->table.as<Walls>(), nullptr);
-  EXPECT_EQ(loaded.lesson->table.as<Walls>()->count, 7);
-  EXPECT_EQ(loaded.lesson->table.as<Doors>(), nullptr);
+  ASSERT_NE(loaded.lesson->settings.as<Walls>(), nullptr);
+  EXPECT_EQ(loaded.lesson->settings.as<Walls>()->count, 7);
+  EXPECT_EQ(loaded.lesson->settings.as<Doors>(), nullptr);
   EXPECT_NE(lesson_toml(*loaded.lesson).find("\n[walls]\ncount = 7\n"), std::string::npos);
 }
 
@@ -82,12 +82,12 @@ TEST(TourSettings, IsRefusedWhereItIsWrong) {
   EXPECT_EQ(complaint("walk", "walls = 4\n"),
             "walls.toml:10:9: 'walls' is a number; expected table [walls]");
   EXPECT_EQ(complaint("walk", ""),
-            "walls.toml:9:21: tour 'walk' without its table; expected a table [walls]");
+            "walls.toml:9:14: tour 'walk' without its table; expected a table [walls]");
   EXPECT_EQ(complaint("phase", "[walls]\ncount = 7\n"),
             "walls.toml:10:1: a table [walls] without tour 'walk'; expected tour = "
             "\"walk\" in [steps]");
   EXPECT_EQ(complaint("walk", "[walls]\ncount = 7\n[path]\npoints = [[0, 0], [1, 1]]\n"),
-            "walls.toml:9:21: tour 'walk' with a path; expected no table [path]");
+            "walls.toml:9:14: tour 'walk' with a path; expected no table [path]");
 }
 
 TEST(TourSettings, IsReadWhateverTheTourIs) {

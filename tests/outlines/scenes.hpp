@@ -100,9 +100,10 @@ class Scenes {
     return outline;
   }
   static models::Outline turned(models::Outline outline, double angle) {
-    const models::Point way(std::cos(angle), std::sin(angle));
+    const models::Point difference(std::cos(angle), std::sin(angle));
     for (models::Point& p : outline.points)
-      p = models::Point(way.x() * p.x() - way.y() * p.y(), way.y() * p.x() + way.x() * p.y());
+      p = models::Point(difference.x() * p.x() - difference.y() * p.y(),
+                        difference.y() * p.x() + difference.x() * p.y());
     return outline;
   }
   static models::Outline reversed(models::Outline outline) {

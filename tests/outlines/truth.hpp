@@ -30,12 +30,12 @@ inline mpq_class dot(const ExactPoint& a, const ExactPoint& b) { return a.x * b.
 
 /// Squared distance of a point from a segment: at the parameter of its foot, kept within 0 and 1.
 inline mpq_class distance_sq(const Point& point, const Segment& s) {
-  const ExactPoint way = ExactPoint(s.b) - ExactPoint(s.a);
+  const ExactPoint difference = ExactPoint(s.b) - ExactPoint(s.a);
   const ExactPoint to = ExactPoint(point) - ExactPoint(s.a);
-  const mpq_class length = dot(way, way);
-  mpq_class t = length == 0 ? mpq_class(0) : mpq_class(dot(to, way) / length);
+  const mpq_class length = dot(difference, difference);
+  mpq_class t = length == 0 ? mpq_class(0) : mpq_class(dot(to, difference) / length);
   t = std::min(std::max(t, mpq_class(0)), mpq_class(1));
-  const ExactPoint gap = {mpq_class(to.x - t * way.x), mpq_class(to.y - t * way.y)};
+  const ExactPoint gap = {mpq_class(to.x - t * difference.x), mpq_class(to.y - t * difference.y)};
   return dot(gap, gap);
 }
 
@@ -56,15 +56,16 @@ inline mpq_class distance_sq(const Segment& s, const Segment& t) {
 /// A distance of two segments, somewhat rounded.
 inline double rounded_distance(const Segment& s, const Segment& t) {
   const auto from = [](const Point& p, const Segment& of) {
-    const Point way = of.b - of.a;
-    const double length = way.squaredNorm();
-    const double share = length > 0.0 ? std::clamp((p - of.a).dot(way) / length, 0.0, 1.0) : 0.0;
-    return (p - of.a - share * way).norm();
+    const Point difference = of.b - of.a;
+    const double length = difference.squaredNorm();
+    const double share =
+        length > 0.0 ? std::clamp((p - of.a).dot(difference) / length, 0.0, 1.0) : 0.0;
+    return (p - of.a - share * difference).norm();
   };
   const auto side = [](const Segment& of, const Point& p) {
-    const Point way = of.b - of.a;
+    const Point difference = of.b - of.a;
     const Point to = p - of.a;
-    return way.x() * to.y() - way.y() * to.x();
+    return difference.x() * to.y() - difference.y() * to.x();
   };
   if (side(s, t.a) * side(s, t.b) < 0.0 && side(t, s.a) * side(t, s.b) < 0.0) return 0.0;
   return std::min(std::min(from(s.a, t), from(s.b, t)), std::min(from(t.a, s), from(t.b, s)));

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "depth/pairs_in_space.hpp"
+#include "gjk/gjk.hpp"
 #include "outlines/v_clip.hpp"
 
 namespace test::v_clip_truth {

@@ -58,10 +58,10 @@ TEST(CostFrames, SayWhatWasTimed) {
   EXPECT_TRUE(holds(times.detail, "a processor")) << times.detail;
   EXPECT_TRUE(holds(shown.texts[4].caption, "It agrees.")) << shown.texts[4].caption;
   Lesson other = small_lesson();
-  LessonGrowth& swapped = other.table.edit<LessonGrowth>();
+  LessonGrowth& swapped = other.settings.edit<LessonGrowth>();
   std::swap(swapped.times->boxes, swapped.times->pairs);
   EXPECT_TRUE(holds(RunTexts(other).texts[4].caption, "It does not agree here."));
-  other.table.edit<LessonGrowth>().times.reset();
+  other.settings.edit<LessonGrowth>().times.reset();
   EXPECT_EQ(RunTexts(other).texts.size(), 1u + 2 + kClaims + 1)
       << "without times no frame is of them";
 }
@@ -91,7 +91,7 @@ TEST(CostFrames, AskHowVisitsGrowAndWhetherLarsenAgrees) {
   // All pairs of nodes are visited, or nearly, when there are few segments.
   Lesson small = small_lesson();
   small.questions = {{"visits", 2}, {"agrees", 1}};
-  LessonGrowth& swapped = small.table.edit<LessonGrowth>();
+  LessonGrowth& swapped = small.settings.edit<LessonGrowth>();
   std::swap(swapped.times->boxes, swapped.times->pairs);
   const std::vector<FrameText> of_small = asked(RunTexts(small));
   ASSERT_EQ(of_small.size(), 2u);

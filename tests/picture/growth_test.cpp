@@ -75,11 +75,11 @@ TEST(GrowthPicture, TheOutcomeSaysWhereLarsensNumbersEnd) {
   EXPECT_TRUE(holds(outcome.caption, "up to n = " + last_kept)) << outcome.caption;
 
   Lesson easy = small_lesson();
-  easy.table.edit<LessonGrowth>().vertices = {3, 10};
+  easy.settings.edit<LessonGrowth>().vertices = {3, 10};
   EXPECT_TRUE(holds(RunTexts(easy).at(2).caption, "no more than Larsen's 6 at any n"))
       << RunTexts(easy).at(2).caption;
   Lesson hard = small_lesson();
-  hard.table.edit<LessonGrowth>().vertices = {1000, 3000};
+  hard.settings.edit<LessonGrowth>().vertices = {1000, 3000};
   EXPECT_TRUE(holds(RunTexts(hard).at(2).caption, "more than Larsen's 3 to 6"))
       << RunTexts(hard).at(2).caption;
 }

@@ -78,14 +78,16 @@ TEST(QuestionFrames, ADirectionLeadsFromPAlongD) {
       const Frame& frame = run.frames[i];
       const WideState& after =
           run.run(frame).trace.steps[static_cast<std::size_t>(frame.answering_step)].after;
-      const Eigen::Vector2d way = *asked.place - *asked.origin;
-      EXPECT_NEAR(in_plane(after.d).normalized().dot(way.normalized()), 1.0, 1e-12) << id;
+      const Eigen::Vector2d difference = *asked.place - *asked.origin;
+      EXPECT_NEAR(in_plane(after.d).normalized().dot(difference.normalized()), 1.0, 1e-12) << id;
       EXPECT_EQ(asked.choices.size(), 4u);
       // The choices lead to four sides.
       for (std::size_t k = 0; k < 4; ++k) {
         const Eigen::Vector2d to = in_plane(asked.spots[k]->to) - *asked.origin;
-        EXPECT_EQ(to.dot(way) > 0.5 * way.squaredNorm(), asked.choices[k] == asked.answer) << id;
-        EXPECT_NEAR(to.norm(), way.norm(), 1e-12);
+        EXPECT_EQ(to.dot(difference) > 0.5 * difference.squaredNorm(),
+                  asked.choices[k] == asked.answer)
+            << id;
+        EXPECT_NEAR(to.norm(), difference.norm(), 1e-12);
       }
     }
     EXPECT_GE(questions, 2) << id;

@@ -233,8 +233,8 @@ TEST(ClosestPairs, JumpWhereNoNeighbourIsClosest) {
     const models::Answer& now = all_pairs_trace(run, i).closest;
     const double step = 2.0 / static_cast<double>(run.runs.size() - 1);
     EXPECT_LE(std::abs(now.distance - last.distance), step + 1e-12) << "it is continuous";
-    const double way = (now.a - last.a).norm();
-    EXPECT_EQ(way > 5.0 * step, !(now.on_a == last.on_a)) << i;
+    const double difference = (now.a - last.a).norm();
+    EXPECT_EQ(difference > 5.0 * step, !(now.on_a == last.on_a)) << i;
     jumps += now.on_a == last.on_a ? 0 : 1;
   }
   EXPECT_EQ(jumps, 2);

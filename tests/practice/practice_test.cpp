@@ -308,9 +308,9 @@ class Solver {
     std::array<double, 2> angle{};
     for (std::size_t i = 0; i < 2; ++i) {
       const std::string& choice = task_.choices[i];
-      const Vector3d way = at(choice.substr(6, 1)) - at(choice.substr(5, 1));
+      const Vector3d difference = at(choice.substr(6, 1)) - at(choice.substr(5, 1));
       const double sign = choice.ends_with(" of −X") ? -1.0 : 1.0;
-      angle[i] = std::atan2(sign * way.y(), sign * way.x());
+      angle[i] = std::atan2(sign * difference.y(), sign * difference.x());
       if (angle[i] < -kZero) angle[i] += 2.0 * std::numbers::pi;
     }
     if (std::abs(angle[0] - angle[1]) < kZero) return task_.choices[2];

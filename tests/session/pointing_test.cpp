@@ -71,11 +71,12 @@ TEST_F(Pointing, ADirectionIsDraggedFromP) {
   const std::optional<Point> origin = origin_on_page(session);
   ASSERT_TRUE(origin);
   const FrameQuestion asked = *session.question();
-  const Point way = (on_page(in_space(*asked.place), 1) - *origin).normalized();
+  const Point difference = (on_page(in_space(*asked.place), 1) - *origin).normalized();
   EXPECT_NEAR((on_page(in_space(*asked.origin), 1) - *origin).norm(), 0.0, 1e-9);
   // Turned by a fifth of a quarter, and by three quarters.
   const auto at = [&](double degrees) {
-    return Point(*origin + 70.0 * (Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0) * way));
+    return Point(*origin +
+                 70.0 * (Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0) * difference));
   };
   EXPECT_EQ(chosen_at(at(18.0)), asked.answer);
   EXPECT_EQ(chosen_at(at(-18.0)), asked.answer);

@@ -38,20 +38,20 @@ std::map<std::string, std::set<std::string>> arrows(const fs::path& root,
 /// "run > support > run", or nothing.
 std::string circle(const std::map<std::string, std::set<std::string>>& arrows) {
   std::set<std::string> done;
-  std::vector<std::string> way;
+  std::vector<std::string> difference;
   std::string found;
   const std::function<void(const std::string&)> visit = [&](const std::string& folder) {
     if (!found.empty() || done.contains(folder)) return;
-    const auto before = std::find(way.begin(), way.end(), folder);
-    if (before != way.end()) {
-      for (auto each = before; each != way.end(); ++each) found += *each + " > ";
+    const auto before = std::find(difference.begin(), difference.end(), folder);
+    if (before != difference.end()) {
+      for (auto each = before; each != difference.end(); ++each) found += *each + " > ";
       found += folder;
       return;
     }
-    way.push_back(folder);
+    difference.push_back(folder);
     if (const auto out = arrows.find(folder); out != arrows.end())
       for (const std::string& next : out->second) visit(next);
-    way.pop_back();
+    difference.pop_back();
     done.insert(folder);
   };
   for (const auto& [folder, next] : arrows) visit(folder);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "gjk/gjk.hpp"
 #include "lessons.hpp"
 #include "subjects/dimensions/runs.hpp"
 #include "subjects/weights/barycentric.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gjk/gjk.hpp"
 #include "lessons.hpp"
 #include "subjects/growth/table.hpp"
 #include "subjects/subjects.hpp"

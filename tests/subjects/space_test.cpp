@@ -9,6 +9,7 @@
 
 #include "fonts.hpp"
 #include "frames/frame.hpp"
+#include "gjk/gjk.hpp"
 #include "lessons.hpp"
 #include "picture/solid.hpp"
 #include "subjects/run/direction_rules.hpp"
@@ -48,8 +49,8 @@ TEST(Solids, AVertexIsBehindExactlyWhenTheWayToTheEyeGoesThroughTheBody) {
     for (const int vertex : solid.vertices) {
       const auto index = static_cast<std::size_t>(vertex);
       bool passes = false;  // any of many points on the way
-      for (double way = 1e-4; way < 4.0 && !passes; way *= 1.2)
-        passes = is_deep_inside(solid, points, points[index] + way * towards, 1e-9);
+      for (double difference = 1e-4; difference < 4.0 && !passes; difference *= 1.2)
+        passes = is_deep_inside(solid, points, points[index] + difference * towards, 1e-9);
       EXPECT_EQ(hidden[index], passes);
       ++(passes ? behind : before);
     }
@@ -68,8 +69,8 @@ std::optional<bool> meets(const Vector3d& from, const Vector3d& ray, const Vecto
   if (std::abs(volume) < slack) return std::nullopt;
   const double u = (from - a).dot(ray.cross(ac)) / volume;
   const double v = ray.dot((from - a).cross(ab)) / volume;
-  const double way = ac.dot((from - a).cross(ab)) / volume;
-  const double least = std::min({u, v, 1.0 - u - v, way});
+  const double difference = ac.dot((from - a).cross(ab)) / volume;
+  const double least = std::min({u, v, 1.0 - u - v, difference});
   if (std::abs(least) < slack) return std::nullopt;
   return least > 0.0;
 }
@@ -139,7 +140,7 @@ TEST(Solids, TheBodyBehindIsPaintedFirst) {
   const LessonRun run = run_lesson(shipped_lesson("polyhedra-gjk"));
   EffectGraph effects(run);
   LessonPictures pictures(run, effects, fonts());
-  const Vector3d way = run.runs[0].trace.result.y - run.runs[0].trace.result.x;
+  const Vector3d difference = run.runs[0].trace.result.y - run.runs[0].trace.result.x;
   for (const double azimuth : {-150.0, -90.0, -30.0, 30.0, 90.0, 150.0}) {
     const Eye eye{azimuth, 15.0};
     CameraOverrides cameras(2);
@@ -156,7 +157,7 @@ TEST(Solids, TheBodyBehindIsPaintedFirst) {
                           }) -
              picture.marks.begin();
     };
-    const bool y_is_nearer = axes_of(eye).row(2).dot(way) > 0.0;
+    const bool y_is_nearer = axes_of(eye).row(2).dot(difference) > 0.0;
     EXPECT_EQ(y_is_nearer, place("shape.x") < place("shape.y")) << azimuth;
   }
 }
@@ -284,7 +285,7 @@ TEST(Lengths, SayWhereAViewShowsThemShorter) {
   EffectGraph effects(run);
   LessonPictures pictures(run, effects, fonts());
   const WideResult& result = run.runs[0].trace.result;
-  const Vector3d way = result.y - result.x;
+  const Vector3d difference = result.y - result.x;
   const auto is_said_from = [&](const Eye& eye) {
     CameraOverrides cameras(run.lesson.views.size());
     cameras[0] = CameraOverride{pictures.views()[0].camera, 1.0};
@@ -297,8 +298,8 @@ TEST(Lengths, SayWhereAViewShowsThemShorter) {
     });
   };
   constexpr double kDegrees = 57.29577951308232;
-  const double along = std::atan2(way.y(), way.x()) * kDegrees;
-  EXPECT_FALSE(is_said_from(eye_across(way)));
+  const double along = std::atan2(difference.y(), difference.x()) * kDegrees;
+  EXPECT_FALSE(is_said_from(eye_across(difference)));
   EXPECT_TRUE(is_said_from({along + 60.0, 10.0}));
 }
 

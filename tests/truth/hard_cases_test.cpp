@@ -9,6 +9,7 @@
 
 #include "bars.hpp"
 #include "exact_run.hpp"
+#include "gjk/gjk.hpp"
 
 namespace gjkscope::study {
 namespace hard_cases_test {

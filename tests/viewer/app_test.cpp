@@ -1481,7 +1481,7 @@ TEST(Study, ResultsOpenInTheirLessonAndCanBeSavedAnywhere) {
   window.app().save_to(saved);
   const LoadedLesson read = load_lesson(saved, vocabulary());
   ASSERT_TRUE(read.lesson) << to_string(read.problems.at(0));
-  EXPECT_EQ(read.lesson->table.as<LessonStudy>()->dots(),
+  EXPECT_EQ(read.lesson->settings.as<LessonStudy>()->dots(),
             window.session().lesson().settings.as<LessonStudy>()->dots());
 
   std::ofstream(results) << R"({"machine": {"processor": "abacus"}, "rows": [{"family": 3}]})";

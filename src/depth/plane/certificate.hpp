@@ -51,18 +51,18 @@ inline constexpr int kDistanceRoundings = 6;
 /// them, the distance is that of their line.
 template <class R, class N>
 [[nodiscard]] Distance<R> segment_distance(const Vec<N, 2>& a, const Vec<N, 2>& b, const R& error) {
-  const Vec<N, 2> exact_way = b - a;
+  const Vec<N, 2> exact_edge = b - a;
   const Vec<R, 2> from = gjk::converted<R>(a);
-  const Vec<R, 2> way = gjk::converted<R>(exact_way);
-  const R length = gjk::careful_length(way);
-  const R foot = length == R(0) ? R(0) : R(-gjk::dot(from, way) / length);  // from a
+  const Vec<R, 2> edge = gjk::converted<R>(exact_edge);
+  const R length = gjk::careful_length(edge);
+  const R foot = length == R(0) ? R(0) : R(-gjk::dot(from, edge) / length);  // from a
   const R beyond = R(8) * gjk::ScalarTraits<R>::unit_roundoff() * gjk::careful_length(from);
   if (length == R(0) || foot < -beyond || length + beyond < foot) {
     const R distance =
         foot < length ? gjk::careful_length(from) : gjk::careful_length(gjk::converted<R>(b));
     return {distance, distance - error};
   }
-  const R distance = gjk::ScalarTraits<R>::from(gjk::cross(a, exact_way)) / length;
+  const R distance = gjk::ScalarTraits<R>::from(gjk::cross(a, exact_edge)) / length;
   return {distance, distance - error * (R(2) + R(2) * beyond / length)};
 }
 
@@ -87,16 +87,16 @@ template <class R, class S, class N>
   };
   std::array<int, 2> ends = {state.edge.from, state.edge.to};
   const Vec<Known, 2> a = known(ends[0]);
-  const Vec<Wide, 2> way = gjk::converted<Wide, Known, 2>(Vec<Known, 2>(known(ends[1]) - a));
-  Wide length = gjk::careful_length(way);
+  const Vec<Wide, 2> edge = gjk::converted<Wide, Known, 2>(Vec<Known, 2>(known(ends[1]) - a));
+  Wide length = gjk::careful_length(edge);
   Wide foot(0);  // from the first end
   if (Wide(0) < length)
-    foot = -gjk::dot(Vec<Wide, 2>(gjk::converted<Wide, Known, 2>(a)), way) / length;
+    foot = -gjk::dot(Vec<Wide, 2>(gjk::converted<Wide, Known, 2>(a)), edge) / length;
   const auto step_to = [&](int first, int second, const Wide& beyond) {
-    const Vec<N, 2> edge = polygon.at(second) - polygon.at(first);
+    const Vec<N, 2> other = polygon.at(second) - polygon.at(first);
     ends = {first, second};
     foot = beyond;
-    length = gjk::careful_length(Vec<Wide, 2>(gjk::converted<Wide, N, 2>(edge)));
+    length = gjk::careful_length(Vec<Wide, 2>(gjk::converted<Wide, N, 2>(other)));
   };
   if (foot < Wide(0)) {
     step_to(ends[0], polygon.corners[ends[0]].previous, Wide(-foot));

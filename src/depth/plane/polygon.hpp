@@ -53,11 +53,11 @@ struct Record<R, 2> : Notes<R> {
 ///   |cross(a, b - a)|^2 / |b - a|^2
 template <class R>
 [[nodiscard]] R segment_distance_sq(const Vec<R, 2>& a, const Vec<R, 2>& b) {
-  const Vec<R, 2> way = b - a;
-  if (!(gjk::dot(a, way) < R(0))) return gjk::dot(a, a);
-  if (!(R(0) < gjk::dot(b, way))) return gjk::dot(b, b);
-  const R area = gjk::cross(a, way);
-  return area * R(area / gjk::dot(way, way));
+  const Vec<R, 2> edge = b - a;
+  if (!(gjk::dot(a, edge) < R(0))) return gjk::dot(a, a);
+  if (!(R(0) < gjk::dot(b, edge))) return gjk::dot(b, b);
+  const R area = gjk::cross(a, edge);
+  return area * R(area / gjk::dot(edge, edge));
 }
 
 /// `use(from, to)` of every edge, counter-clockwise.
@@ -134,9 +134,9 @@ template <class R, class Rec>
 void find_nearest(State<R, 2>& state, Rec& record) {
   if constexpr (Rec::kOn) record.edges = edges_in_order(state.polygon);
   state.edge = take_nearest(state.polygon);
-  const Vec<R, 2> way = nearest_corner(state, 1).w - nearest_corner(state, 0).w;
-  state.n = gjk::perpendicular<R, 2>({way});
-  if (gjk::is_zero(way)) state.n = Vec<R, 2>::Unit(0);
+  const Vec<R, 2> edge = nearest_corner(state, 1).w - nearest_corner(state, 0).w;
+  state.n = gjk::perpendicular<R, 2>({edge});
+  if (gjk::is_zero(edge)) state.n = Vec<R, 2>::Unit(0);
 }
 
 /// Puts the support point between the ends of the edge. Ends that are corners no more, because the

@@ -50,7 +50,7 @@ using Word = gjk::DoubleWord<Plain<R>>;
 
 /// From a to b with about twice the digits; for numbers that round it is exact.
 template <class R>
-[[nodiscard]] Vec<Word<R>, 3> way(const Vec<R, 3>& a, const Vec<R, 3>& b) {
+[[nodiscard]] Vec<Word<R>, 3> difference(const Vec<R, 3>& a, const Vec<R, 3>& b) {
   using Traits = gjk::ScalarTraits<Plain<R>>;
   Vec<Word<R>, 3> out;
   for (int i = 0; i < 3; ++i) {
@@ -84,16 +84,17 @@ template <class N>
 template <class R>
 [[nodiscard, gnu::flatten]] std::pair<Vec<Word<R>, 3>, Word<R>> products_in_words(
     const Triangle<R>& t, const Vec<R, 3>& from, const Vec<R, 3>& to) {
-  return products(way(from, to), way(t.a, t.b), way(t.a, t.c));
+  return products(difference(from, to), difference(t.a, t.b), difference(t.a, t.c));
 }
 /// For R that rounds, or is an Expansion.
 template <class R>
 [[nodiscard, gnu::noinline]] std::pair<Vec<Expansion, 3>, Expansion> exact_products(
     const Triangle<R>& t, const Vec<R, 3>& from, const Vec<R, 3>& to) {
-  const auto exact_way = [](const Vec<R, 3>& a, const Vec<R, 3>& b) {
+  const auto exact_difference = [](const Vec<R, 3>& a, const Vec<R, 3>& b) {
     return Vec<Expansion, 3>(b.template cast<Expansion>() - a.template cast<Expansion>());
   };
-  return products(exact_way(from, to), exact_way(t.a, t.b), exact_way(t.a, t.c));
+  return products(exact_difference(from, to), exact_difference(t.a, t.b),
+                  exact_difference(t.a, t.c));
 }
 
 template <class R, class N>
@@ -171,8 +172,10 @@ template <class R>
 [[nodiscard, gnu::noinline]] int careful_side(const Triangle<R>& t, const Vec<R, 3>& p) {
   using N = Plain<R>;
   if constexpr (!gjk::ScalarTraits<R>::kExact) {
-    const Vec<Word<R>, 3> ap = way(t.a, p);
-    if (ap == way(t.b, t.c) || ap == way(t.c, t.b) || way(t.b, p) == way(t.a, t.c)) return 0;
+    const Vec<Word<R>, 3> ap = difference(t.a, p);
+    if (ap == difference(t.b, t.c) || ap == difference(t.c, t.b) ||
+        difference(t.b, p) == difference(t.a, t.c))
+      return 0;
   }
   const N side = products_in_words(t, t.a, p).second.hi;
   const N u = gjk::ScalarTraits<N>::unit_roundoff();
@@ -190,11 +193,11 @@ template <class R>
 template <class R>
 [[nodiscard]] int side_of(const Triangle<R>& t, const Plane<R>& plane, const Vec<R, 3>& p) {
   using N = Plain<R>;
-  const Vec<N, 3> way = gjk::converted<N, R, 3>(Vec<R, 3>(p - t.a));
-  const N side = gjk::dot(plane.n, way);
+  const Vec<N, 3> difference = gjk::converted<N, R, 3>(Vec<R, 3>(p - t.a));
+  const N side = gjk::dot(plane.n, difference);
   if constexpr (kPlaneRounds<R>) {
     const N u = gjk::ScalarTraits<N>::unit_roundoff();
-    const N rounding = N(kPlaneRoundings) * u * gjk::norm_max(plane.n) * gjk::norm_1(way) +
+    const N rounding = N(kPlaneRoundings) * u * gjk::norm_max(plane.n) * gjk::norm_1(difference) +
                        std::numeric_limits<N>::min();
     if (!(rounding < gjk::magnitude(side))) return detail::careful_side(t, p);
   }

@@ -143,8 +143,8 @@ void start_with(std::vector<gjk::SupportPoint<R, 3>> points, const gjk::Query<S,
   };
   std::erase_if(points, take);
   const auto look_along = [&](const Vec<R, 3>& d) {
-    const auto found = [&](const Vec<R, 3>& way) {
-      return take(gjk::support_point(query, prepared, gjk::farthest_pair(query, prepared, way)));
+    const auto found = [&](const Vec<R, 3>& along) {
+      return take(gjk::support_point(query, prepared, gjk::farthest_pair(query, prepared, along)));
     };
     return found(d) || found(-d);
   };

@@ -3,17 +3,10 @@
 // from below (Larsen 1998, "Proof of Local Verification"). tests/truth checks these bounds.
 
 #include "gjk/proof/careful.hpp"
+#include "gjk/proof/result.hpp"
 #include "gjk/support.hpp"
 
 namespace gjk {
-
-/// The computed distance, and bounds of the exact one.
-template <class R>
-struct Bounds {
-  R lower = R(0);
-  R distance = R(0);
-  R upper = R(0);
-};
 
 /// Bounds are promised to be no farther apart than this, in u times the distance from O to the
 /// farthest vertex of Z. A run whose bounds are wider has been misled by rounding.

@@ -16,6 +16,14 @@ enum class Verdict : std::uint8_t {
   none,         ///< The query was refused.
 };
 
+/// The computed distance, and bounds of the exact one.
+template <class R>
+struct Bounds {
+  R lower = R(0);
+  R distance = R(0);
+  R upper = R(0);
+};
+
 /// The answer, with its certificate: lower <= exact distance <= upper, rounding included. With
 /// Proof::none a rounded run has no bounds (both are `no_length()`), and its verdict is whether
 /// |P| = 0. Lengths are in the query's unit.

@@ -83,7 +83,7 @@ void witness_point(SceneBuilder& scene, const Vector3d& point, const Vector3d& o
 }
 
 /// The shortest way, and, once that is the question, how long it is.
-void way(SceneBuilder& scene, const Point& from, const Point& to) {
+void gap_line(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
   if (shown(scene) < WitnessPart::distance || shows_gap(scene)) return;
   scene.length_label("distance", scene.positioned.trace.result.distance, from, to);
@@ -99,7 +99,7 @@ void answer(SceneBuilder& scene) {
   if (scene.shows_difference) {
     closest_feature(scene);
     const Vector3d p = result.y - result.x;
-    if (!meet) way(scene, scene.at_difference(p), scene.at_difference(Vector3d::Zero()));
+    if (!meet) gap_line(scene, scene.at_difference(p), scene.at_difference(Vector3d::Zero()));
     scene.disk("closest", scene.at_difference(p), sizes::kClosestRadius);
     if (!meet) {
       scene.out.moving_labels.push_back(scene.label(
@@ -123,7 +123,8 @@ void answer(SceneBuilder& scene) {
       scene.link(scene.vertex_of_x(vertex), scene.vertex_of_y(vertex));
     }
   }
-  if (reached >= WitnessPart::distance && !meet) way(scene, scene.at(result.x), scene.at(result.y));
+  if (reached >= WitnessPart::distance && !meet)
+    gap_line(scene, scene.at(result.x), scene.at(result.y));
   if (reached >= WitnessPart::on_y) carried_back(scene, false);
   if (reached >= WitnessPart::on_x) carried_back(scene, true);
   if (scene.shows(GrownObstacle::kName)) {  // which names points of its own

@@ -224,15 +224,15 @@ void slide_question(const Story& story, FrameText& text) {
   const Vector2d by = slide_of_move(story, story.frame.run + 1);
   const Vector2d left(-by.y(), by.x());
   const Vector2d from = centroid(next->z);
-  std::vector<Vector2d> ways = {by, -by, left, -left};
-  std::sort(ways.begin(), ways.end(),
+  std::vector<Vector2d> shifts = {by, -by, left, -left};
+  std::sort(shifts.begin(), shifts.end(),
             [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
   FrameQuestion& asked =
       text.question.emplace(FrameQuestion{std::string(asks::kSlide.name), {}, {}});
-  for (const Vector2d& way : ways) {
-    asked.choices.push_back("by " + story.numbers.point(way));
-    asked.spots.push_back(Spot{ViewKind::difference, from, Vector2d(from + way)});
-    if (way == by) asked.answer = asked.choices.back();
+  for (const Vector2d& shift : shifts) {
+    asked.choices.push_back("by " + story.numbers.point(shift));
+    asked.spots.push_back(Spot{ViewKind::difference, from, Vector2d(from + shift)});
+    if (shift == by) asked.answer = asked.choices.back();
   }
   asked.origin = from;
   asked.place = from + by;

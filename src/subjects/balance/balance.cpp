@@ -25,9 +25,9 @@ double support_at(double seconds, double balance_point, const LessonTime& time) 
 /// The angle at which the ground stops an end; an arm too short to reach it has none.
 double lowest(double arm, double radius) {
   const double reach = std::hypot(arm, kAxleHeight);
-  const double way = kAxleHeight + kBeamHeight - radius;
-  if (reach <= way) return std::numbers::pi / 2.0;
-  return std::max(0.0, std::asin(way / reach) - std::atan2(kAxleHeight, std::abs(arm)));
+  const double height = kAxleHeight + kBeamHeight - radius;
+  if (reach <= height) return std::numbers::pi / 2.0;
+  return std::max(0.0, std::asin(height / reach) - std::atan2(kAxleHeight, std::abs(arm)));
 }
 
 /// The forces on a beam.

@@ -130,7 +130,7 @@ struct Tile {
     for (const Vector2d& each : corners) points.push_back(at(each.x(), each.y()));
     scene.area(role, points);
   }
-  void way(double x0, double y0, double x1, double y1) const {
+  void line(double x0, double y0, double x1, double y1) const {
     scene.line("closest.line", at(x0, y0), at(x1, y1));
     scene.disk("closest", at(x1, y1), kClosestRadius);
   }
@@ -142,16 +142,16 @@ void picture(SceneBuilder& scene, int chapter) {
   switch (chapter) {
     case 0:
       scene.line("shape", tile.at(0.6, 0.5), tile.at(3.0, 0.9));
-      tile.way(1.4, 1.9, 1.607, 0.668);
+      tile.line(1.4, 1.9, 1.607, 0.668);
       return tile.query(1.4, 1.9);
     case 1:
       tile.shape("shape", {{0.4, 0.4}, {2.2, 0.4}, {1.3, 1.9}});
-      tile.way(2.9, 1.7, 1.858, 0.97);
+      tile.line(2.9, 1.7, 1.858, 0.97);
       return tile.query(2.9, 1.7);
     case 2:
       tile.shape("shape", {{0.3, 0.9}, {1.0, 0.3}, {2.0, 0.4}, {2.3, 1.1}, {1.6, 1.9}, {0.7, 1.8}});
       tile.shape("simplex", {{0.3, 0.9}, {2.3, 1.1}, {1.6, 1.9}});
-      tile.way(3.0, 2.0, 2.116, 1.31);
+      tile.line(3.0, 2.0, 2.116, 1.31);
       return tile.query(3.0, 2.0);
     case 4:
       tile.shape("hull", {{0.5, 1.0}, {1.2, 0.4}, {2.5, 0.4}, {3.0, 1.1}, {2.4, 1.9}, {1.1, 1.9}});
@@ -160,7 +160,7 @@ void picture(SceneBuilder& scene, int chapter) {
     case 5:
       tile.shape("shape", {{0.3, 1.0}, {3.2, 1.06}, {0.35, 1.12}});
       scene.line("rounded.x", tile.at(0.3, 1.35), tile.at(3.3, 1.45));
-      return tile.way(2.0, 1.75, 2.02, 1.1);
+      return tile.line(2.0, 1.75, 2.02, 1.1);
     case 6: {
       const std::vector<Vector2d> corners = {{0.4, 0.3}, {3.0, 0.3}, {3.0, 1.9}, {2.4, 1.9},
                                              {2.4, 0.9}, {1.0, 0.9}, {1.0, 1.9}, {0.4, 1.9}};
@@ -168,12 +168,12 @@ void picture(SceneBuilder& scene, int chapter) {
       for (const Vector2d& each : corners) points.push_back(tile.at(each.x(), each.y()));
       scene.add("path.end", Polyline{points, true});
       tile.shape("shape.y", {{1.4, 1.4}, {2.0, 1.3}, {1.8, 1.9}});
-      return tile.way(2.0, 1.3, 2.0, 0.9);
+      return tile.line(2.0, 1.3, 2.0, 0.9);
     }
     case 7:
       scene.line("shape", tile.at(0.6, 0.5), tile.at(3.0, 0.9));
       scene.line("guess.way", tile.at(1.4, 1.9), tile.at(3.0, 0.9));
-      tile.way(1.4, 1.9, 1.607, 0.668);
+      tile.line(1.4, 1.9, 1.607, 0.668);
       return tile.query(1.4, 1.9);
     case 8:
       tile.shape("shape", {{0.5, 0.5}, {2.9, 0.3}, {3.0, 1.0}, {1.6, 2.0}});

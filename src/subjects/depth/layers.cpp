@@ -14,10 +14,10 @@ constexpr double kOutwardArrow = 38.0;  // from a vertex, within what a camera l
 /// The edge's point nearest to O.
 Vector2d foot(const depth::State<double>& state, const depth::Edge<double>& edge) {
   const Vector2d& a = state.polygon.at(edge.from);
-  const Vector2d way = state.polygon.at(edge.to) - a;
-  const double length_sq = way.squaredNorm();
+  const Vector2d along = state.polygon.at(edge.to) - a;
+  const double length_sq = along.squaredNorm();
   if (length_sq == 0.0) return a;
-  return a + std::clamp(-a.dot(way) / length_sq, 0.0, 1.0) * way;
+  return a + std::clamp(-a.dot(along) / length_sq, 0.0, 1.0) * along;
 }
 
 void label_at(SceneBuilder& scene, const std::string& name, const Point& at, double radius,

@@ -73,12 +73,12 @@ class CloudDots {
  private:
   /// The median distance of neighbours, every `step` of the first `count` points.
   static double apart(const std::vector<Point>& points, std::size_t step, std::size_t count) {
-    std::vector<double> ways;
+    std::vector<double> lengths;
     for (std::size_t i = step; i < count; i += step)
-      ways.push_back((points[i] - points[i - step]).norm());
-    if (ways.empty()) return HUGE_VAL;
-    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
-    std::nth_element(ways.begin(), middle, ways.end());
+      lengths.push_back((points[i] - points[i - step]).norm());
+    if (lengths.empty()) return HUGE_VAL;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
     return *middle;
   }
 

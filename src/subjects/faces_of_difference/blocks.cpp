@@ -15,7 +15,8 @@ void growth(PanelBuilder& panel, Growing growing) {
     const GrowthQuestion question =
         question_of(growing, panel.effects.get<FaceGrowth>(panel.frame));
     panel.heading(fmt::format("n = {}", question.vertices));
-    for (const WayToGrow& way : question.ways) panel.row(way.name, grouped(way.ratio));
+    for (const GrowthChoice& choice : question.choices)
+      panel.row(choice.name, grouped(choice.ratio));
     return;
   }
   const FaceGrowth::Sample& last = panel.effects.get<FaceGrowth>(panel.frame).back();

@@ -8,8 +8,8 @@
 namespace sums_in_space {
 namespace {
 
+using gjkscope::Difference;
 using gjkscope::volume_sign;
-using gjkscope::Way;
 
 /// A body: its points, and their hull.
 struct Solid {
@@ -17,12 +17,14 @@ struct Solid {
   const Polyhedron& hull;
 
   [[nodiscard]] const Vector3d& at(int i) const { return points[i]; }
-  [[nodiscard]] Way way(int from, int to) const { return {at(from), at(to)}; }
+  [[nodiscard]] Difference difference(int from, int to) const { return {at(from), at(to)}; }
   /// The vertices that lie farthest along u × w, or against it.
-  [[nodiscard]] std::vector<int> farthest(const Way& u, const Way& w, int sign) const {
+  [[nodiscard]] std::vector<int> farthest(const Difference& u, const Difference& w,
+                                          int sign) const {
     std::vector<int> best;
     for (const int vertex : hull.vertices) {
-      const int more = best.empty() ? 1 : sign * volume_sign(u, w, way(best.front(), vertex));
+      const int more =
+          best.empty() ? 1 : sign * volume_sign(u, w, difference(best.front(), vertex));
       if (more > 0) best.clear();
       if (more >= 0) best.push_back(vertex);
     }
@@ -47,7 +49,8 @@ void from_faces(std::vector<Face>& out, const Solid& of, const Solid& other, boo
   for (const Polyhedron::Face& face : of.hull.faces) {
     const std::vector<int>& ring = face.vertices;
     // X and Y lie farthest against each other.
-    std::vector<int> rest = other.farthest(of.way(ring[0], ring[1]), of.way(ring[0], ring[2]), -1);
+    std::vector<int> rest =
+        other.farthest(of.difference(ring[0], ring[1]), of.difference(ring[0], ring[2]), -1);
     if (is_y) out.push_back({ring, std::move(rest), face.normal});
     // Parallel faces came from Y.
     else if (rest.size() < 3)
@@ -61,12 +64,12 @@ void from_edges(std::vector<Face>& out, const Solid& x, const Solid& y) {
   for (const Polyhedron::Edge& e : y.hull.edges) {
     const std::array<int, 2> of_y = {y.beside(e, e.left), y.beside(e, e.right)};
     for (const Polyhedron::Edge& f : x.hull.edges) {
-      const Way u = y.way(e.from, e.to);
-      const Way w = x.way(f.from, f.to);
-      const int sign = volume_sign(u, w, y.way(e.from, of_y[0]));
-      if (sign == 0 || volume_sign(u, w, y.way(e.from, of_y[1])) != sign) continue;
-      if (volume_sign(u, w, x.way(f.from, x.beside(f, f.left))) != -sign ||
-          volume_sign(u, w, x.way(f.from, x.beside(f, f.right))) != -sign)
+      const Difference u = y.difference(e.from, e.to);
+      const Difference w = x.difference(f.from, f.to);
+      const int sign = volume_sign(u, w, y.difference(e.from, of_y[0]));
+      if (sign == 0 || volume_sign(u, w, y.difference(e.from, of_y[1])) != sign) continue;
+      if (volume_sign(u, w, x.difference(f.from, x.beside(f, f.left))) != -sign ||
+          volume_sign(u, w, x.difference(f.from, x.beside(f, f.right))) != -sign)
         continue;
       const Vector3d normal = -sign * u.rounded().cross(w.rounded()).normalized();
       out.push_back({{e.from, e.to}, {f.from, f.to}, normal});

@@ -170,7 +170,7 @@ Plot faces_plot(Growing growing, bool asks, const FaceGrowth::Value& samples) {
   }
   if (asks) {
     const GrowthQuestion question = question_of(growing, samples);
-    add_ways(plot, question.vertices, question.before, question.ways);
+    add_choices(plot, question.vertices, question.before, question.choices);
   }
   return plot;
 }

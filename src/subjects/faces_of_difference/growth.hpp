@@ -5,7 +5,7 @@
 
 #include "picture/plot.hpp"
 #include "run/graph.hpp"
-#include "subjects/growth/ways.hpp"
+#include "subjects/growth/choices.hpp"
 
 namespace gjkscope {
 
@@ -44,12 +44,12 @@ enum class Growing { faces, depth, general };
 
 /// Questions go from this size to the last one.
 [[nodiscard]] const FaceGrowth::Sample& asked_from(const FaceGrowth::Value& samples);
-/// A question chooses from `ways`, each so many times the number before it.
+/// A question chooses from `choices`, each so many times the number before it.
 struct GrowthQuestion {
   double vertices = 0.0;  ///< Its place on the x axis.
   double before = 1.0;
   double measured = 1.0;
-  std::array<WayToGrow, 3> ways;
+  std::array<GrowthChoice, 3> choices;
 };
 [[nodiscard]] GrowthQuestion question_of(Growing growing, const FaceGrowth::Value& samples);
 /// Counts against the number of vertices. A question leaves out what it asks for.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "run/fields.hpp"
 

@@ -165,10 +165,10 @@ void growth_question(const Story& story, Growing growing, FrameText& text) {
   const FaceGrowth::Value& samples = story.effects.get<FaceGrowth>(story.frame);
   const FaceGrowth::Sample& last = samples.back();
   const GrowthQuestion question = question_of(growing, samples);
-  ask_ways(story.run.asked(story.frame).ask, question.ways, question.measured / question.before,
-           true, text);
-  const auto at = [&](std::size_t way) {
-    return grouped(question.before * question.ways[way].ratio);
+  ask_growth(story.run.asked(story.frame).ask, question.choices,
+             question.measured / question.before, true, text);
+  const auto at = [&](std::size_t choice) {
+    return grouped(question.before * question.choices[choice].ratio);
   };
   switch (growing) {
     case Growing::faces:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "gjk/vector.hpp"
 #include "run/fields.hpp"
@@ -62,12 +63,12 @@ void tell_pairs(RegionsTrace& trace, const Lesson& lesson, const PositionedRun& 
     first.points[body] = run.bodies[body].world[at->vertices[0]];
   }
   trace.pairs.insert(trace.pairs.begin(), first);
-  const Vector3d way = unit(first.points[1] - first.points[0]);
+  const Vector3d difference = unit(first.points[1] - first.points[0]);
   for (const std::size_t body : {0, 1}) {
     for (const Feature& feature : trace.features[body]) {
       if (feature.kind() != Kind::vertex) continue;
       const Vector3d& vertex = run.bodies[body].world[feature.vertices[0]];
-      const double depth = gjk::dot(way, Vector3d(vertex - first.points[body]));
+      const double depth = gjk::dot(difference, Vector3d(vertex - first.points[body]));
       // More than rounding.
       if ((body == 0 ? depth : -depth) > 0x1p-46 * (vertex.norm() + first.points[body].norm()))
         trace.reaches.emplace_back(body, feature.vertices[0]);

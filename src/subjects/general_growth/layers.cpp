@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "subjects/general_growth/shown.hpp"
+#include "subjects/growth/choices.hpp"
 #include "subjects/growth/subject.hpp"
 #include "subjects/growth/table.hpp"
-#include "subjects/growth/ways.hpp"
 #include "subjects/run/subject.hpp"
 
 namespace gjkscope::costs {
@@ -89,7 +89,7 @@ void add_choices(Plot& plot, const Lesson& lesson, const Shown& shown, bool is_a
   if (!shown.is(GrowthPhase::size) || size == 0 || !(is_asked || is_shown)) return;
   const Sample& before = shown.trace.samples[size - 1];
   const Sample& sample = shown.trace.samples[size];
-  add_ways(plot, sample.segments, before.boxes, ways_to_grow(before, sample));
+  add_choices(plot, sample.segments, before.boxes, growth_choices(before, sample));
 }
 
 Plot visits_plot(const Shown& shown) {

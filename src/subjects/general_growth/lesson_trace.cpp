@@ -4,6 +4,7 @@
 
 #include <array>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "run/fields.hpp"

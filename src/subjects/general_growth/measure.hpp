@@ -67,9 +67,9 @@ namespace detail {
   for (int i = 0; i < segments; ++i) {
     const int quarter = static_cast<int>(4ll * i / segments);
     const double t = 4.0 * i / segments - quarter;
-    Point way = Point(1.0 - t * t, 2.0 * t) / (1.0 + t * t);
-    for (int k = 0; k < quarter; ++k) way = Point(-way.y(), way.x());
-    out.points.push_back(center + radius[i] * way);
+    Point direction = Point(1.0 - t * t, 2.0 * t) / (1.0 + t * t);
+    for (int k = 0; k < quarter; ++k) direction = Point(-direction.y(), direction.x());
+    out.points.push_back(center + radius[i] * direction);
   }
   return out;
 }

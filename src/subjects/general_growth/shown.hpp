@@ -8,7 +8,7 @@
 #include "picture/tour.hpp"
 #include "run/algorithm_facts.hpp"
 #include "subjects/general_growth/lesson_trace.hpp"
-#include "subjects/growth/ways.hpp"
+#include "subjects/growth/choices.hpp"
 
 namespace gjkscope::costs {
 
@@ -21,8 +21,8 @@ inline constexpr AskInfo kAskAgrees{
 
 /// How many times the visits of the size before, about: none more, as the segments, or as the
 /// pairs.
-[[nodiscard]] std::array<WayToGrow, 3> ways_to_grow(const general_growth::Sample& before,
-                                                    const general_growth::Sample& sample);
+[[nodiscard]] std::array<GrowthChoice, 3> growth_choices(const general_growth::Sample& before,
+                                                         const general_growth::Sample& sample);
 
 /// The subject of a frame: a size, the times of all sizes, or something that Larsen says.
 struct Shown {

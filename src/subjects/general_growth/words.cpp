@@ -88,14 +88,14 @@ void times(const Shown& shown, FrameText& text) {
 }
 
 /// "3.3 times, as n"
-std::string words_of(const WayToGrow& way) {
-  if (way.ratio == 1.0) return way.name;
-  return fmt::format("{} times, {}", fixed(way.ratio, way.ratio < 10.0 ? 1 : 0), way.name);
+std::string words_of(const GrowthChoice& choice) {
+  if (choice.ratio == 1.0) return choice.name;
+  return fmt::format("{} times, {}", fixed(choice.ratio, choice.ratio < 10.0 ? 1 : 0), choice.name);
 }
 
 }  // namespace
 
-std::array<WayToGrow, 3> ways_to_grow(const Sample& before, const Sample& sample) {
+std::array<GrowthChoice, 3> growth_choices(const Sample& before, const Sample& sample) {
   const double segments = 1.0 * sample.segments / before.segments;
   return {{{"hardly", 1.0}, {"as n", segments}, {"as all pairs", segments * segments}}};
 }
@@ -150,9 +150,9 @@ void question(const Story& story, FrameText& text) {
   if (asked.ask == kAskVisits.name) {
     const Sample& sample = before.trace.samples[answer];
     const Sample& last = before.trace.samples[answer - 1];
-    std::array<WayToGrow, 3> ways = ways_to_grow(last, sample);
-    for (WayToGrow& way : ways) way.name = words_of(way);
-    ask_ways(kAskVisits.name, ways, sample.boxes / last.boxes, true, text);
+    std::array<GrowthChoice, 3> choices = growth_choices(last, sample);
+    for (GrowthChoice& choice : choices) choice.name = words_of(choice);
+    ask_growth(kAskVisits.name, choices, sample.boxes / last.boxes, true, text);
     text.caption = fmt::format(
         "Question: from n = {} to {}, how do the visits of trees of boxes grow? Point at a place.",
         grouped(last.segments), grouped(sample.segments));

@@ -56,18 +56,18 @@ int size_in_question(const LessonRun& run, const Frame& frame) {
 void add_choices(Plot& plot, const LessonRun& run, EffectGraph& effects, const Frame& frame) {
   const LessonGrowth& growth = *run.lesson.settings.as<LessonGrowth>();
   if (const int size = size_in_question(run, frame); size > 0) {
-    add_ways(plot, growth.vertices[size], effects.get<Growth>(frame)[size - 1].iterations,
-             ways_to_grow(growth, size, kAskIterations.name));
+    add_choices(plot, growth.vertices[size], effects.get<Growth>(frame)[size - 1].iterations,
+                growth_choices(growth, size, kAskIterations.name));
   } else if (is_slow(run, frame) && frame.question >= 0) {
     const Slowest both = slowest(effects, frame);
-    add_ways(plot, both.built.vertices, both.random.most_iterations, ways_to_be_slow(both));
+    add_choices(plot, both.built.vertices, both.random.most_iterations, slow_choices(both));
   }
 }
 
 }  // namespace
 
-std::array<WayToGrow, 3> ways_to_grow(const LessonGrowth& growth, int size,
-                                      std::string_view counted) {
+std::array<GrowthChoice, 3> growth_choices(const LessonGrowth& growth, int size,
+                                           std::string_view counted) {
   constexpr double kLittle = 1.2;
   const double n = 1.0 * growth.vertices[size] / growth.vertices[size - 1];
   if (counted != kAskIterations.name)
@@ -80,7 +80,7 @@ Slowest slowest(EffectGraph& effects, const Frame& frame) {
   return {effects.get<Growth>(frame)[built.size() - 1], built.back()};
 }
 
-std::array<WayToGrow, 3> ways_to_be_slow(const Slowest& slowest) {
+std::array<GrowthChoice, 3> slow_choices(const Slowest& slowest) {
   constexpr double kLittle = 1.2;
   return {{{"a few more", kLittle},
            {"twice as many", 2.0},

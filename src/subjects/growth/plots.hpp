@@ -7,9 +7,9 @@
 #include "lesson/vocabulary.hpp"
 #include "picture/plot.hpp"
 #include "run/graph.hpp"
+#include "subjects/growth/choices.hpp"
 #include "subjects/growth/growth.hpp"
 #include "subjects/growth/table.hpp"
-#include "subjects/growth/ways.hpp"
 
 namespace gjkscope {
 
@@ -24,15 +24,15 @@ inline constexpr AskInfo kAskSlowest{"slowest", "iterations of a polygon that is
 inline constexpr AskInfo kAskDots{"dot-products", "how many dot products find a support point"};
 
 /// The ways in which `counted` may grow, to a size from the one before.
-[[nodiscard]] std::array<WayToGrow, 3> ways_to_grow(const LessonGrowth& growth, int size,
-                                                    std::string_view counted);
+[[nodiscard]] std::array<GrowthChoice, 3> growth_choices(const LessonGrowth& growth, int size,
+                                                         std::string_view counted);
 /// Iterations of the slowest polygons, beside those of the slowest random runs of that size.
 struct Slowest {
   const Growth::Sample& random;
   const SlowGrowth::Run& built;
 };
 [[nodiscard]] Slowest slowest(EffectGraph& effects, const Frame& frame);
-[[nodiscard]] std::array<WayToGrow, 3> ways_to_be_slow(const Slowest& slowest);
+[[nodiscard]] std::array<GrowthChoice, 3> slow_choices(const Slowest& slowest);
 
 /// Iterations on average and in the worst run, beside what Larsen reports.
 [[nodiscard]] Plot iterations_plot(const LessonRun& run, EffectGraph& effects, const Frame& frame);

@@ -90,9 +90,9 @@ void slow(const Slowest& slowest, FrameText& text) {
 }
 
 void slow_question(const Slowest& slowest, FrameText& text) {
-  const std::array<WayToGrow, 3> ways = ways_to_be_slow(slowest);
+  const std::array<GrowthChoice, 3> choices = slow_choices(slowest);
   const double least = slowest.random.most_iterations;
-  ask_ways(kAskSlowest.name, ways, slowest.built.iterations / least, true, text);
+  ask_growth(kAskSlowest.name, choices, slowest.built.iterations / least, true, text);
   text.caption = fmt::format(
       "Question: the worst random run with n = {} needs {} iterations. A polygon is built to be "
       "slow: how many, then? Point at a place.",
@@ -135,18 +135,18 @@ void growth_question(const Story& story, FrameText& text) {
   const int size = *shown_size(story.run, story.frame) + 1;
   const Sample& from = measured[size - 1];
   const Sample& to = measured[size];
-  const std::array<WayToGrow, 3> ways = ways_to_grow(growth, size, ask);
+  const std::array<GrowthChoice, 3> choices = growth_choices(growth, size, ask);
   const std::string sizes =
       fmt::format("from n = {} to {}", grouped(from.vertices), grouped(to.vertices));
   if (ask == kAskIterations.name) {
-    ask_ways(ask, ways, to.iterations / from.iterations, true, text);
+    ask_growth(ask, choices, to.iterations / from.iterations, true, text);
     text.question->refuted =
         fmt::format("Twice as many would be {}, like n {}.", fixed(from.iterations * 2.0, 1),
-                    fixed(from.iterations * ways[2].ratio, 1));
+                    fixed(from.iterations * choices[2].ratio, 1));
     text.caption =
         fmt::format("Question: {}, how do the iterations grow? Point at a place.", sizes);
   } else if (ask == kAskScanned.name) {
-    ask_ways(ask, ways, to.scanned_vertices / from.scanned_vertices, false, text);
+    ask_growth(ask, choices, to.scanned_vertices / from.scanned_vertices, false, text);
     text.question->refuted =
         fmt::format("A call scans n + n vertices, and calls grow from {} to {} only.",
                     fixed(from.support_calls, 1), fixed(to.support_calls, 1));
@@ -155,7 +155,7 @@ void growth_question(const Story& story, FrameText& text) {
         "grow?",
         capitalized(sizes));
   } else {
-    ask_ways(ask, ways, 1.0 * to.vertices / from.vertices, false, text);
+    ask_growth(ask, choices, 1.0 * to.vertices / from.vertices, false, text);
     text.question->refuted = fmt::format(
         "Each edge of Z is one of X or of Y, {} at most: a scan of a known outline is O(n), too.",
         grouped(2.0 * to.vertices));

@@ -34,14 +34,14 @@ std::optional<Vector2d> straight(const std::vector<Vector2d>& outline, const Vec
   double first = 1.0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
-    const Vector2d way = q - from;
-    const double area = way.x() * edge.y() - way.y() * edge.x();
+    const Vector2d difference = q - from;
+    const double area = difference.x() * edge.y() - difference.y() * edge.x();
     if (area == 0.0) continue;
     const Vector2d to = outline[i] - from;
-    const double along_way = (to.x() * edge.y() - to.y() * edge.x()) / area;
-    const double along_edge = (to.x() * way.y() - to.y() * way.x()) / area;
-    if (along_way > kStep && along_way < first && along_edge >= 0.0 && along_edge <= 1.0)
-      first = along_way;
+    const double along_ray = (to.x() * edge.y() - to.y() * edge.x()) / area;
+    const double along_edge = (to.x() * difference.y() - to.y() * difference.x()) / area;
+    if (along_ray > kStep && along_ray < first && along_edge >= 0.0 && along_edge <= 1.0)
+      first = along_ray;
   }
   return from + first * (q - from);
 }

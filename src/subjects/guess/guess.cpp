@@ -131,22 +131,22 @@ void words(const Story& story, FrameText& text) {
 }
 
 /// From the two vertices that are nearest to the other shape.
-void ways_from_vertices(SceneBuilder& scene, const std::vector<Vector2d>& from,
-                        const std::vector<Vector2d>& to, const std::string& id) {
-  std::vector<std::pair<Vector2d, Vector2d>> ways;
+void lines_from_vertices(SceneBuilder& scene, const std::vector<Vector2d>& from,
+                         const std::vector<Vector2d>& to, const std::string& id) {
+  std::vector<std::pair<Vector2d, Vector2d>> lines;
   for (const Vector2d& vertex : from) {
     Vector2d best = to.front();
     for (std::size_t k = 0; k < to.size(); ++k) {
       const Vector2d at = closest_on_segment(vertex, to[k], to[(k + 1) % to.size()]);
       if ((at - vertex).norm() < (best - vertex).norm()) best = at;
     }
-    ways.emplace_back(vertex, best);
+    lines.emplace_back(vertex, best);
   }
-  std::sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
+  std::sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) {
     return (a.second - a.first).norm() < (b.second - b.first).norm();
   });
-  for (std::size_t i = 0; i < std::min<std::size_t>(2, ways.size()); ++i)
-    measured_line(scene, "guess.way", fmt::format("{}{}", id, i), ways[i].first, ways[i].second);
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, lines.size()); ++i)
+    measured_line(scene, "guess.way", fmt::format("{}{}", id, i), lines[i].first, lines[i].second);
 }
 
 void stage(SceneBuilder& scene) {
@@ -157,8 +157,8 @@ void stage(SceneBuilder& scene) {
   if (at == Part::vertices) {
     const std::vector<Vector2d> of_x = in_plane(scene.positioned.x().world);
     const std::vector<Vector2d> of_y = in_plane(scene.positioned.y().world);
-    ways_from_vertices(scene, of_x, of_y, "x");
-    ways_from_vertices(scene, of_y, of_x, "y");
+    lines_from_vertices(scene, of_x, of_y, "x");
+    lines_from_vertices(scene, of_y, of_x, "y");
   }
   if (at == Part::slab) slabs::strip(scene, x, y);
   if (at == Part::on_y || at == Part::slab) measured_line(scene, "closest.line", "distance", x, y);

@@ -1,6 +1,7 @@
 #include "subjects/hierarchy/lesson_trace.hpp"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "lesson/names.hpp"
 #include "lesson/vocabulary.hpp"

@@ -204,10 +204,10 @@ void candidates(SceneBuilder& scene) {
   const models::Nearest* best = nearer.candidate();
   const models::Nearest* other = left.candidate();
   if (other != nullptr && (best == nullptr || *best != *other))
-    shortest_way(scene, shown.search, *other, "gap.answer", "left", "left: ");
+    shortest_line(scene, shown.search, *other, "gap.answer", "left", "left: ");
   if (best != nullptr)
-    shortest_way(scene, shown.search, *best, "closest.line", "nearer",
-                 shown.is_answer ? "" : "nearer: ");
+    shortest_line(scene, shown.search, *best, "closest.line", "nearer",
+                  shown.is_answer ? "" : "nearer: ");
 }
 
 void add_order_frames(LessonRun& run, int index) {

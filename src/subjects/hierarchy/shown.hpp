@@ -125,11 +125,11 @@ struct Shown {
 };
 
 /// A node of X's tree two levels below the root, and the way to a leaf that leads over it.
-struct NodeOnWay {
+struct NodeOnPath {
   int node = 0;
-  std::vector<int> way;
+  std::vector<int> path;
 };
-[[nodiscard]] NodeOnWay node_on_way(const std::vector<TreeNode>& tree);
+[[nodiscard]] NodeOnPath node_on_path(const std::vector<TreeNode>& tree);
 /// The longest segment of X, and its tiles among the leaves of X's tree.
 struct TiledSegment {
   int segment = 0;
@@ -175,8 +175,8 @@ extern const Block kOrderCounters;
 // stage.cpp
 void stage(SceneBuilder& scene);
 /// The closest points of two segments, a line between them, and its length after `before`.
-void shortest_way(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
-                  const std::string& role, const std::string& id, const std::string& before);
+void shortest_line(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
+                   const std::string& role, const std::string& id, const std::string& before);
 
 // tree.cpp
 /// Levels below the root that are drawn node by node; what lies deeper is one mark each.

@@ -45,8 +45,8 @@ std::vector<Vector2d> outline_of(const Volume& volume, double more = 0.0) {
 std::pair<Vector2d, Vector2d> gap_of(const Volume& a, const Volume& b) {
   if (const Circle* circle = std::get_if<Circle>(&a)) {
     const Circle& other = std::get<Circle>(b);
-    const Vector2d way = (other.center - circle->center).normalized();
-    return {circle->center + circle->radius * way, other.center - other.radius * way};
+    const Vector2d difference = (other.center - circle->center).normalized();
+    return {circle->center + circle->radius * difference, other.center - other.radius * difference};
   }
   const Box& p = std::get<Box>(a);
   const Box& q = std::get<Box>(b);
@@ -141,7 +141,7 @@ class Stage {
 
   void extra() {
     if (shows(Extra::node)) {
-      const int node = node_on_way(shown_.search.tree_x).node;
+      const int node = node_on_path(shown_.search.tree_x).node;
       const TreeNode& bounding = shown_.search.tree_x[node];
       for (int i = bounding.first; i < bounding.first + bounding.count; ++i) {
         const models::Segment& s = shown_.search.x.segments[shown_.search.segments_x[i]];
@@ -267,15 +267,15 @@ class Stage {
     segment(true, shown_.step->record.segments.first);
     segment(false, shown_.step->record.segments.second);
     if (shown_.step->record.measured && !shown_.step->record.better)
-      shortest_way(scene_, shown_.search, *shown_.step->record.measured, "gap.answer", "measured",
-                   "");
+      shortest_line(scene_, shown_.search, *shown_.step->record.measured, "gap.answer", "measured",
+                    "");
   }
 
   void candidate() {
     const bool ends = shown_.state.stop == models::SearchStop::meet;
     if (!shown_.state.candidate || (!shown_.is_distance() && !ends)) return;
-    shortest_way(scene_, shown_.search, *shown_.state.candidate, "closest.line", "candidate",
-                 shown_.is_answer ? "" : "δ = ");
+    shortest_line(scene_, shown_.search, *shown_.state.candidate, "closest.line", "candidate",
+                  shown_.is_answer ? "" : "δ = ");
   }
 
   SceneBuilder& scene_;
@@ -285,8 +285,8 @@ class Stage {
 
 }  // namespace
 
-void shortest_way(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
-                  const std::string& role, const std::string& id, const std::string& before) {
+void shortest_line(SceneBuilder& scene, const TracedSearch& search, const models::Nearest& pair,
+                   const std::string& role, const std::string& id, const std::string& before) {
   const models::Answer closest = models::answer_of(pair, search.x, search.y);
   const Point x = scene.at(closest.a);
   const Point y = scene.at(closest.b);

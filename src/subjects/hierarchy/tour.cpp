@@ -89,14 +89,14 @@ bool is_known(const LessonRun& run, const Frame& frame, Extra extra) {
   return frame.step >= 0 || frame.part >= static_cast<int>(extra);
 }
 
-NodeOnWay node_on_way(const std::vector<TreeNode>& tree) {
-  NodeOnWay out{0, {0}};
-  while (!tree[out.way.back()].is_leaf()) {
-    const TreeNode& node = tree[out.way.back()];
+NodeOnPath node_on_path(const std::vector<TreeNode>& tree) {
+  NodeOnPath out{0, {0}};
+  while (!tree[out.path.back()].is_leaf()) {
+    const TreeNode& node = tree[out.path.back()];
     const bool left_is_larger = tree[node.left].count > tree[node.right].count;
-    out.way.push_back(left_is_larger ? node.left : node.right);
+    out.path.push_back(left_is_larger ? node.left : node.right);
   }
-  out.node = out.way[std::min<std::size_t>(2, out.way.size() - 1)];
+  out.node = out.path[std::min<std::size_t>(2, out.path.size() - 1)];
   return out;
 }
 
@@ -104,8 +104,8 @@ TiledSegment longest_segment(const Shown& shown) {
   TiledSegment out;
   const std::vector<models::Segment>& segments = shown.search.x.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Eigen::Vector2d way = segments[i].b - segments[i].a;
-    const double length = gjk::length(way);
+    const Eigen::Vector2d difference = segments[i].b - segments[i].a;
+    const double length = gjk::length(difference);
     if (length > out.length) out = {static_cast<int>(i), length, {}};
   }
   const std::vector<TreeNode>& tree = shown.search.tree_x;

@@ -79,7 +79,7 @@ class TreePicture {
   [[nodiscard]] bool is_asked_node(std::size_t i) const {
     return of_x_ && scene_.frame.step < 0 && extra_of(scene_.run, scene_.frame) == Extra::node &&
            is_known(scene_.run, scene_.frame, Extra::node) &&
-           node_on_way(tree_).node == static_cast<int>(i);
+           node_on_path(tree_).node == static_cast<int>(i);
   }
   /// Visited by the search for a meeting, too, where the answer compares both.
   [[nodiscard]] bool is_met(std::size_t i) const {

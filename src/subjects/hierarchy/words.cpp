@@ -139,7 +139,7 @@ class Telling {
 
   void node() {
     const std::vector<TreeNode>& tree = shown_.search.tree_x;
-    const TreeNode& node = tree[node_on_way(tree).node];
+    const TreeNode& node = tree[node_on_path(tree).node];
     text_.caption = fmt::format("The node has {} leaves below it: its {} bounds these {} segments.",
                                 node.count, shown_.volume(), node.count);
     text_.detail = fmt::format("Its children bound {} and {} of them, each with a smaller {}.",
@@ -420,13 +420,13 @@ void ask_for_pairs(const Shown& shown, FrameText& text, FrameQuestion& asked) {
 
 void ask_for_node(const Shown& shown, FrameText& text, FrameQuestion& asked) {
   const std::vector<TreeNode>& tree = shown.search.tree_x;
-  const NodeOnWay on_way = node_on_way(tree);
+  const NodeOnPath on_path = node_on_path(tree);
   std::vector<std::string> counts;
-  for (std::size_t level = 0; level < on_way.way.size(); ++level) {
-    const int node = on_way.way[level];
+  for (std::size_t level = 0; level < on_path.path.size(); ++level) {
+    const int node = on_path.path[level];
     asked.choices.push_back(level == 0 ? "the root" : fmt::format("level {}", level));
     asked.subjects.push_back({Subject::Kind::tree_node, node, -1});
-    if (node == on_way.node)
+    if (node == on_path.node)
       asked.answer = asked.choices.back();
     else
       counts.push_back(std::to_string(tree[node].count));
@@ -577,8 +577,8 @@ void ask_for_gap(const Story& story, const Shown& shown, FrameText& text) {
   asked.ask = kAskGap.name;
   const models::Circle& a = std::get<models::Circle>(shown.node(true).volume);
   const models::Circle& b = std::get<models::Circle>(shown.node(false).volume);
-  const Eigen::Vector2d way = b.center - a.center;
-  const double between = gjk::length(way);
+  const Eigen::Vector2d difference = b.center - a.center;
+  const double between = gjk::length(difference);
   for (const double apart :
        {between, between - std::max(a.radius, b.radius), between - a.radius - b.radius})
     asked.choices.push_back(story.numbers(apart));

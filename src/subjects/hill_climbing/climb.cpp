@@ -15,13 +15,13 @@ int Walk::products() const {
 }
 
 int farther(const Vector3d& d, const Vector3d& a, const Vector3d& b) {
-  const double way = d.dot(b - a);
+  const double farther = d.dot(b - a);
   // A rounded difference, a rounded product and two rounded sums; what underflows is left to the
   // exact sum.
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   const double size = d.cwiseAbs().dot(a.cwiseAbs() + b.cwiseAbs());
-  if (std::abs(way) > kRounding * size + std::numeric_limits<double>::min())
-    return way > 0.0 ? 1 : -1;
+  if (std::abs(farther) > kRounding * size + std::numeric_limits<double>::min())
+    return farther > 0.0 ? 1 : -1;
   gjk::Expansion sum;
   for (int i = 0; i < 3; ++i)
     sum = sum + gjk::Expansion(d[i]) * (gjk::Expansion(b[i]) - gjk::Expansion(a[i]));

@@ -38,7 +38,7 @@ void plane(SceneBuilder& scene, const Vector3d& vertex, const Vector3d& d,
   scene.search_arrow(scene.at(from), d, kArrowLength, name);
 }
 
-void way(SceneBuilder& scene, const Shown& shown, const climbing::Walk& walk, int looks) {
+void walk_line(SceneBuilder& scene, const Shown& shown, const climbing::Walk& walk, int looks) {
   for (int i = 0; i + 1 < looks; ++i) {
     const int from = walk.looks[i].at;
     const int to = walk.looks[static_cast<std::size_t>(i) + 1].at;
@@ -58,7 +58,7 @@ void step(SceneBuilder& scene, const Shown& shown) {
     scene.add(is_behind(scene, shown, look.at, end) ? "climb.edge.hidden" : "climb.edge",
               Polyline{{now, scene.at(shown.at(end))}});
   }
-  way(scene, shown, shown.climb().walk, shown.trace.all[shown.step].look + 1);
+  walk_line(scene, shown, shown.climb().walk, shown.trace.all[shown.step].look + 1);
   if (!shown.asks && look.next >= 0) scene.arrow("climb.move", now, scene.at(shown.at(look.next)));
   if (look.next < 0 && !shown.asks) {
     scene.diamond("support.vertex", now, kSupportRadius, shown.subject(look.at));
@@ -76,7 +76,7 @@ void all_walks(SceneBuilder& scene, const Frame& frame) {
       const climbing::Look& look = shown.look();
       if (look.next >= 0) continue;
       const climbing::Walk& walk = shown.climb().walk;
-      if (!ends) way(scene, shown, walk, static_cast<int>(walk.looks.size()));
+      if (!ends) walk_line(scene, shown, walk, static_cast<int>(walk.looks.size()));
       if (ends)
         scene.diamond("support.vertex", scene.at(shown.at(look.at)), kSupportRadius,
                       shown.subject(look.at));

@@ -1,6 +1,7 @@
 #include "subjects/hill_climbing/lesson_trace.hpp"
 
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "outlines/polyhedron.hpp"
 #include "run/fields.hpp"

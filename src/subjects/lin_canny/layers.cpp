@@ -102,12 +102,12 @@ bool fill(SceneBuilder& scene, const Fonts&) {
                                           type::kName,
                                           Align::right});
   }
-  Polyline way;
+  Polyline path;
   const std::vector<models::WalkState> pairs = shown.pairs();
   for (const models::WalkState& pair : pairs)
-    way.points.push_back(middle(place_of(pair.a), place_of(pair.b)));
-  const std::vector<Point> cells = way.points;
-  scene.add("plot.first.line", std::move(way));
+    path.points.push_back(middle(place_of(pair.a), place_of(pair.b)));
+  const std::vector<Point> cells = path.points;
+  scene.add("plot.first.line", std::move(path));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const models::Answer closest =
         models::answer_of(pairs[i].pair, shown.walk.query->model_a, shown.walk.query->model_b);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "lesson/vocabulary.hpp"
 #include "outlines/brute.hpp"

@@ -22,14 +22,14 @@ std::vector<Border> Shown::borders(bool of_x) const {
   const auto corner = [&](int i) { return ring(of_x).points[i]; };
   const Eigen::Vector2d a = corner(at.index);
   const int next = ring(of_x).next(at.index);
-  const Eigen::Vector2d way = corner(next) - a;
+  const Eigen::Vector2d edge = corner(next) - a;
   if (at.is_vertex) {
     const int before = ring(of_x).previous(at.index);
-    return {{{a, way}, {false, at.index}}, {{a, corner(before) - a}, {false, before}}};
+    return {{{a, edge}, {false, at.index}}, {{a, corner(before) - a}, {false, before}}};
   }
-  return {{{a, -way}, {true, at.index}},
-          {{corner(next), way}, {true, next}},
-          {{a, Eigen::Vector2d(-way.y(), way.x())}, at}};
+  return {{{a, -edge}, {true, at.index}},
+          {{corner(next), edge}, {true, next}},
+          {{a, Eigen::Vector2d(-edge.y(), edge.x())}, at}};
 }
 
 std::vector<models::WalkState> Shown::pairs() const {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "gjk/vector.hpp"
 #include "run/fields.hpp"
@@ -105,18 +106,18 @@ bool are_neighbours(const Feature& a, const Feature& b, int count) {
   return vertex.index == edge.index || vertex.index == (edge.index + 1) % count;
 }
 
-double way(const Vector2d& from, const Vector2d& to) {
+double moved(const Vector2d& from, const Vector2d& to) {
   const Vector2d moved = to - from;
   return gjk::length(moved);
 }
 
 /// How far Y has moved since the last position.
 double move_of_y(const LessonRun& run, int index) {
-  return way(in_plane(run.runs[index - 1].y().world.front()),
-             in_plane(run.runs[index].y().world.front()));
+  return moved(in_plane(run.runs[index - 1].y().world.front()),
+               in_plane(run.runs[index].y().world.front()));
 }
 double move_of_x_point(const LessonRun& run, int index) {
-  return way(all_pairs_trace(run, index - 1).closest.a, all_pairs_trace(run, index).closest.a);
+  return moved(all_pairs_trace(run, index - 1).closest.a, all_pairs_trace(run, index).closest.a);
 }
 
 void add_frames(LessonRun& run, int index) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "exact/instances.hpp"
 #include "lesson/vocabulary.hpp"

@@ -108,7 +108,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     if (asked == nullptr) break;
     const Point from = corner_at(asked->before.at);
     const auto tip = [&](Source of) {
-      return scene.at(merge.at(asked->before.at) + way_of(shown, asked->before.at, of));
+      return scene.at(merge.at(asked->before.at) + edge_of(shown, asked->before.at, of));
     };
     const Point to = tip(source);
     scene.arrow(role_of(source), from, to);
@@ -126,7 +126,7 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     const Vector2d from = merge.at(shown.step->before.at);
     if (is_left)
       scene.arrow("ghost.arrow", scene.at(from),
-                  scene.at(from + way_of(shown, shown.step->before.at, other)));
+                  scene.at(from + edge_of(shown, shown.step->before.at, other)));
   }
   const bool waits = shown.is(Phase::lowest) || (shown.is(Phase::edge) && !shown.is_closed());
   for (int i = 0; i < shown.edges(); ++i) {
@@ -135,10 +135,10 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
     const Source source = merge.edges[index];
     const bool is_separating =
         (shown.is(Phase::inside) || shown.is_answer) && i == merge.separating;
-    const Vector2d way = way_of(shown, merge.corners[index], source);
-    scene.line(role_of(source), scene.at(from), scene.at(from + way));
+    const Vector2d edge = edge_of(shown, merge.corners[index], source);
+    scene.line(role_of(source), scene.at(from), scene.at(from + edge));
     if (is_separating)
-      scene.support_line(scene.at(from), in_space(Vector2d(way.y(), -way.x())), "slab.side");
+      scene.support_line(scene.at(from), in_space(Vector2d(edge.y(), -edge.x())), "slab.side");
   }
   for (int i = 0; i < std::min(shown.edges() + 1, static_cast<int>(merge.corners.size())); ++i)
     corner_mark(merge.corners[i]);
@@ -147,13 +147,13 @@ void in_difference(SceneBuilder& scene, const Shown& shown) {
 
 }  // namespace
 
-Vector2d way_of(const Shown& shown, const Corner& from, Source source) {
+Vector2d edge_of(const Shown& shown, const Corner& from, Source source) {
   const models::Ring& x = shown.merge.x;
   const models::Ring& y = shown.merge.y;
-  Vector2d way = Vector2d::Zero();
-  if (source != Source::x) way += point_of(y, y.next(from.y)) - point_of(y, from.y);
-  if (source != Source::y) way -= point_of(x, x.next(from.x)) - point_of(x, from.x);
-  return way;
+  Vector2d edge = Vector2d::Zero();
+  if (source != Source::x) edge += point_of(y, y.next(from.y)) - point_of(y, from.y);
+  if (source != Source::y) edge -= point_of(x, x.next(from.x)) - point_of(x, from.x);
+  return edge;
 }
 
 std::array<Vector2d, 4> lowest_places(const Shown& shown) {

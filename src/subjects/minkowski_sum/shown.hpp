@@ -62,8 +62,8 @@ extern const Listing kListing;
 
 // layers.cpp
 /// The edge that leads on from a corner, as a way.
-[[nodiscard]] Eigen::Vector2d way_of(const Shown& shown, const minkowski_sum::Corner& from,
-                                     minkowski_sum::Source source);
+[[nodiscard]] Eigen::Vector2d edge_of(const Shown& shown, const minkowski_sum::Corner& from,
+                                      minkowski_sum::Source source);
 void stage(SceneBuilder& scene);
 
 // words.cpp

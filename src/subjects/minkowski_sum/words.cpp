@@ -130,7 +130,7 @@ void question(const Story& story, FrameText& text) {
     asked.choices.push_back(shown.edge(at, source));
     if (shows_difference) {
       asked.spots.emplace_back(
-          Spot(ViewKind::difference, from, Eigen::Vector2d(from + way_of(shown, at, source))));
+          Spot(ViewKind::difference, from, Eigen::Vector2d(from + edge_of(shown, at, source))));
       continue;
     }
     const models::Ring& ring = source == Source::y ? shown.merge.y : shown.merge.x;

@@ -120,7 +120,7 @@ const Layer kGrownObstacle{.effect = gjkscope::GrownObstacle::kName,
 namespace {
 
 /// The end of a way, as an arrow: long enough to be seen, however short the last step is.
-void end_of_way(SceneBuilder& scene, const std::vector<Point>& points) {
+void end_of_path(SceneBuilder& scene, const std::vector<Point>& points) {
   constexpr double kLeast = 16.0;
   const auto before = std::find_if(points.rbegin(), points.rend(), [&](const Point& point) {
     return (point - points.back()).norm() >= kLeast;
@@ -162,7 +162,7 @@ void path(SceneBuilder& scene) {
     for (std::size_t i = 1; i < points.size(); ++i)
       scene.out.obstacles.segments.push_back({points[i - 1], points[i]});
     for (const Point& point : points) scene.disk("path.point", point, 3.0);
-    end_of_way(scene, points);
+    end_of_path(scene, points);
     if (!scene.run.point_query()) scene.disk("path.now", points[scene.frame.run], kPathNow);
   }
 }

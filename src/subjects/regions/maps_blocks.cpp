@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "gjk/regions.hpp"
 #include "subjects/regions/region_orders.hpp"
 #include "subjects/regions/subject.hpp"
 #include "subjects/regions/tour.hpp"

@@ -1,5 +1,6 @@
 #include "subjects/regions/region_orders.hpp"
 
+#include "gjk/regions.hpp"
 #include "run/scalar.hpp"
 #include "run/widen.hpp"
 #include "subjects/regions/subject.hpp"

@@ -195,7 +195,7 @@ void simplex(SceneBuilder& scene) {
 namespace {
 
 /// From a closest point to the other; where the run has ended, the length is the answer.
-void shortest_way(SceneBuilder& scene, const Point& from, const Point& to) {
+void shortest_line(SceneBuilder& scene, const Point& from, const Point& to) {
   scene.line("closest.line", from, to);
   const double distance = scene.positioned.trace.result.distance;
   if (scene.knows.has_ended && distance > 0.0 && !shows_gap(scene))
@@ -206,7 +206,7 @@ void shortest_way(SceneBuilder& scene, const Point& from, const Point& to) {
 
 void closest_line(SceneBuilder& scene) {
   if (shows_closest_point(scene) && !reaches_query(scene)) {
-    shortest_way(scene, scene.at_difference(scene.state.p), scene.at_difference(Vector2d::Zero()));
+    shortest_line(scene, scene.at_difference(scene.state.p), scene.at_difference(Vector2d::Zero()));
   }
 }
 
@@ -232,7 +232,7 @@ void witness_points(SceneBuilder& scene) {
     x += scene.state.simplex.weights[i] * scene.vertex_of_x(scene.state.simplex.vertices[i]);
     y += scene.state.simplex.weights[i] * scene.vertex_of_y(scene.state.simplex.vertices[i]);
   }
-  shortest_way(scene, scene.at(x), scene.at(y));
+  shortest_line(scene, scene.at(x), scene.at(y));
   const auto name = [&](const char* text, const Point& point, const Point& other) {
     scene.disk("closest", point, kClosestRadius);
     scene.out.moving_labels.push_back(scene.label(std::string("witness:") + text, text,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "gjk/regions.hpp"
 #include "outlines/minkowski.hpp"
 #include "outlines/polygon.hpp"
 #include "outlines/polyhedron.hpp"
@@ -269,19 +270,19 @@ class Asking {
     const ViewKind view = in_world ? ViewKind::world : ViewKind::difference;
     const auto shown = [&](const Eigen::Vector2d& w) { return in_world ? world(w) : w; };
     const Eigen::Vector2d from = shown(in_plane(before_.p));
-    const Eigen::Vector2d way = in_plane(step_.after.d).normalized() * std::sqrt(step_.after.p_sq);
-    const Eigen::Vector2d left(-way.y(), way.x());
+    const Eigen::Vector2d edge = in_plane(step_.after.d).normalized() * std::sqrt(step_.after.p_sq);
+    const Eigen::Vector2d left(-edge.y(), edge.x());
     const auto add = [&](std::string choice, const Eigen::Vector2d& to) {
       asked_.choices.push_back(std::move(choice));
       asked_.spots.push_back(Spot{view, from, Eigen::Vector2d(from + to)});
     };
-    add("away from " + story_.q, -way);
+    add("away from " + story_.q, -edge);
     add(fmt::format("sideways, with {} on the left", story_.q), -left);
     add(fmt::format("sideways, with {} on the right", story_.q), left);
-    add("towards " + story_.q, way);
+    add("towards " + story_.q, edge);
     asked_.answer = asked_.choices.back();
     asked_.origin = from;
-    asked_.place = from + way;
+    asked_.place = from + edge;
     text_.caption =
         "Question: which way does d lead, along which GJK looks for a vertex? Drag it from P.";
   }
@@ -384,7 +385,7 @@ class Asking {
     const std::string b = words_.vertex(1);
     const UnitVector::Value& built = story_.effects.get<UnitVector>(
         {.run = story_.frame.run, .step = story_.frame.answering_step});
-    const Eigen::Vector2d way = at_vertex(1) - q();
+    const Eigen::Vector2d edge = at_vertex(1) - q();
     const double along = built->of_q.to_b;
     asked_.choices = {fmt::format("|{} − {}|, its whole length", b, story_.q),
                       fmt::format("as far as {} − G, with G the foot of {}", b, story_.q),
@@ -394,8 +395,8 @@ class Asking {
         "Question: the arrow from {0} to {1} reaches dot({1} − {0}, n) along n. How far is that?",
         story_.q, b);
     asked_.refuted = fmt::format("|{0} − {1}| is {2}, and |{1} − G| is {3}.", b, story_.q,
-                                 story_.numbers(gjk::length(way)),
-                                 story_.numbers(std::sqrt(gjk::dot(way, way) - along * along)));
+                                 story_.numbers(gjk::length(edge)),
+                                 story_.numbers(std::sqrt(gjk::dot(edge, edge) - along * along)));
   }
 
   void turn() {
@@ -579,9 +580,9 @@ void closest_question(const Story& story, FrameText& text) {
   for (std::size_t i = 0; i < (hull.size() > 2 ? hull.size() : hull.size() - 1); ++i)
     add(std::min(hull[i], hull[(i + 1) % hull.size()]),
         std::max(hull[i], hull[(i + 1) % hull.size()]));
-  const Eigen::Vector2d way =
+  const Eigen::Vector2d edge =
       in_plane(of_x ? result.y : result.x) - in_plane(of_x ? result.x : result.y);
-  asked.place = in_plane(of_x ? result.x : result.y) + shape.radius * way.normalized();
+  asked.place = in_plane(of_x ? result.x : result.y) + shape.radius * edge.normalized();
   text.caption = fmt::format("Question: which point of {} is closest to {}? Point at it.",
                              shape.name, other.name);
 }
@@ -603,10 +604,10 @@ void closest_of_difference_question(const Story& story, FrameText& text) {
     asked.choices.push_back(is_corner ? name : name + " to " + story.run.pair_name(to.pair));
     asked.spots.push_back(Spot{is_grown ? ViewKind::world : ViewKind::difference,
                                Eigen::Vector2d(from.z + shift), Eigen::Vector2d(to.z + shift)});
-    const Eigen::Vector2d way = to.z - from.z;
+    const Eigen::Vector2d edge = to.z - from.z;
     const double along =
-        is_corner ? 0.0 : std::clamp((p - from.z).dot(way) / way.dot(way), 0.0, 1.0);
-    const Eigen::Vector2d off = from.z + along * way - p;
+        is_corner ? 0.0 : std::clamp((p - from.z).dot(edge) / edge.dot(edge), 0.0, 1.0);
+    const Eigen::Vector2d off = from.z + along * edge - p;
     if (is_corner != at_corner || !(off.dot(off) < least)) return;
     least = off.dot(off);
     asked.answer = asked.choices.back();

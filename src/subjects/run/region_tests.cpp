@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "gjk/regions.hpp"
 #include "subjects/run/subject.hpp"
 #include "subjects/weights/projection.hpp"
 

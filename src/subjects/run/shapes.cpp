@@ -254,11 +254,11 @@ void solid(SceneBuilder& scene, std::size_t body) {
 void solids(SceneBuilder& scene) {
   if (scene.run.point_query()) return solid(scene, 1);
   const WideResult& result = scene.positioned.trace.result;
-  const Vector3d way =
+  const Vector3d difference =
       result.distance > 0.0
           ? Vector3d(result.y - result.x)
           : Vector3d(middle_of(scene.positioned.y().world) - middle_of(scene.positioned.x().world));
-  const std::size_t first = scene.map.towards_eye(way) >= 0.0 ? 0 : 1;
+  const std::size_t first = scene.map.towards_eye(difference) >= 0.0 ? 0 : 1;
   solid(scene, first);
   solid(scene, 1 - first);
 }
@@ -326,9 +326,9 @@ void query_point(SceneBuilder& scene) {
       if (g && (scene.at_difference(*g) - q).norm() < 1.0) name = "G = " + name;
     }
     // Along a path, on the side where the line to P is not.
-    const bool has_way =
+    const bool has_gap =
         scene.run.tour->sweeps && shows_closest_point(scene) && !reaches_query(scene);
-    const Point away = has_way ? Point(q - scene.at_difference(scene.state.p)) : Point::Zero();
+    const Point away = has_gap ? Point(q - scene.at_difference(scene.state.p)) : Point::Zero();
     scene.out.moving_labels.push_back(scene.label("Q", reaches_query(scene) ? "P = " + name : name,
                                                   "query.label", type::kVertex, q, kPointRadius,
                                                   away));

@@ -54,15 +54,15 @@ double degrees_between(const Vector2d& a, const Vector2d& b) {
 }
 
 void strip(SceneBuilder& scene, const Vector2d& x, const Vector2d& y) {
-  const Vector2d way = y - x;
+  const Vector2d difference = y - x;
   std::vector<Vector2d> seen = scene.map.visible();
-  seen = clip(seen, {y, way});
-  seen = clip(seen, {x, -way});
+  seen = clip(seen, {y, difference});
+  seen = clip(seen, {x, -difference});
   std::vector<Point> area;
   for (const Vector2d& point : seen) area.push_back(scene.at(point));
   if (area.size() > 2) scene.area("slab", area);
   const double reach = (scene.map.visible()[2] - scene.map.visible()[0]).norm();
-  const Vector2d along = reach * Vector2d(-way.y(), way.x()).normalized();
+  const Vector2d along = reach * Vector2d(-difference.y(), difference.x()).normalized();
   for (const Vector2d& point : {x, y})
     scene.line("slab.side", scene.at(point - along), scene.at(point + along));
 }

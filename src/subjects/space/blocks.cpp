@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gjk/regions.hpp"
 #include "run/questions.hpp"
 #include "subjects/space/region.hpp"
 #include "subjects/space/subject.hpp"

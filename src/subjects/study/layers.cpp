@@ -91,9 +91,9 @@ class Inset {
     constexpr double kShortest = 16.0;
     const Point a = map_(from);
     const Point b = map_(to);
-    const Point way = b - a;
-    if (way.norm() < kShortest) return;
-    scene_.arrow("rounded.arrow", a, b - 5.0 / way.norm() * way);
+    const Point difference = b - a;
+    if (difference.norm() < kShortest) return;
+    scene_.arrow("rounded.arrow", a, b - 5.0 / difference.norm() * difference);
   }
   /// A gap as a line beside it, on the side `side` (-1 or 1), and its length.
   void gap(const std::string& role, const Gap& gap, double side, const std::string& text) {

@@ -89,7 +89,7 @@ const SpaceWalkGrowth::Sample& asked_from(const SpaceWalkGrowth::Value& samples)
   return samples[kFrom];
 }
 
-std::array<WayToGrow, 3> ways_of(const SpaceWalkGrowth::Value& samples) {
+std::array<GrowthChoice, 3> growth_choices_of(const SpaceWalkGrowth::Value& samples) {
   const double n = 1.0 * samples.back().vertices / asked_from(samples).vertices;
   return {{{"hardly", 1.2}, {"as √n", std::sqrt(n)}, {"as n", n}}};
 }
@@ -131,7 +131,8 @@ Plot space_walk_plot(WalkGrowing growing, bool asks, const SpaceWalkGrowth::Valu
     plot.series.push_back({PlotStyle::limit, "", {{1.0, 1.0}, end}, PlotJoin::lines, false});
     plot.notes.push_back({PlotStyle::limit, end, power == 1 ? "n" : "n²"});
   }
-  if (asks) add_ways(plot, most, asked_from(samples).*counted_for(growing), ways_of(samples));
+  if (asks)
+    add_choices(plot, most, asked_from(samples).*counted_for(growing), growth_choices_of(samples));
   return plot;
 }
 

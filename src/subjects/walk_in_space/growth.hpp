@@ -5,7 +5,7 @@
 
 #include "picture/plot.hpp"
 #include "run/graph.hpp"
-#include "subjects/growth/ways.hpp"
+#include "subjects/growth/choices.hpp"
 
 namespace gjkscope {
 
@@ -36,7 +36,7 @@ enum class WalkGrowing { beside_gjk, coherent, cold };
 
 /// Both questions go from one size to the last one.
 [[nodiscard]] const SpaceWalkGrowth::Sample& asked_from(const SpaceWalkGrowth::Value& samples);
-[[nodiscard]] std::array<WayToGrow, 3> ways_of(const SpaceWalkGrowth::Value& samples);
+[[nodiscard]] std::array<GrowthChoice, 3> growth_choices_of(const SpaceWalkGrowth::Value& samples);
 /// The count that is asked for.
 [[nodiscard]] double SpaceWalkGrowth::Sample::*counted_for(WalkGrowing growing);
 

@@ -27,7 +27,7 @@ void region(SceneBuilder& scene, const Shown& shown, bool in_front) {
 }
 
 /// The border that the point lies beyond, and the features that are next.
-void way_on(SceneBuilder& scene, const Shown& shown) {
+void move_of_pair(SceneBuilder& scene, const Shown& shown) {
   const SpaceWalk::Step& step = shown.step();
   if (shown.trace.beyond(step) > 0.0)
     cells::draw_refuting_plane(scene, shown.trace.border(step), step.points[step.body],
@@ -69,7 +69,7 @@ void stage(SceneBuilder& scene) {
   for (const std::size_t body : {0, 1})
     cells::draw_feature(scene, body, shown.trace.features[body][step.at[body]]);
   if (shown.index < 0) return;
-  if (shown.is_step() && !shown.asks && step.moves()) way_on(scene, shown);
+  if (shown.is_step() && !shown.asks && step.moves()) move_of_pair(scene, shown);
   if (shown.trace.overlaps() && step.distance() == 0.0)
     return cells::draw_pair(scene, step.points, "closest.line", {"x = y", ""});
   cells::draw_pair(scene, step.points, "closest.line", {"x", "y"});

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "gjk/gjk.hpp"
 #include "run/fields.hpp"
 
 namespace gjkscope {

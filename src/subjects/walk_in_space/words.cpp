@@ -197,12 +197,12 @@ void growth_question(const Story& story, WalkGrowing growing, FrameText& text) {
   const SpaceWalkGrowth::Value& samples = story.effects.get<SpaceWalkGrowth>(story.frame);
   const SpaceWalkGrowth::Sample& from = asked_from(samples);
   const double before = from.*counted_for(growing);
-  const std::array<WayToGrow, 3> ways = ways_of(samples);
-  ask_ways(story.run.asked(story.frame).ask, ways, samples.back().*counted_for(growing) / before,
-           true, text);
+  const std::array<GrowthChoice, 3> choices = growth_choices_of(samples);
+  ask_growth(story.run.asked(story.frame).ask, choices,
+             samples.back().*counted_for(growing) / before, true, text);
   text.question->refuted =
-      fmt::format("As √n would be {}, as n {}.", fixed(before * ways[1].ratio, 1),
-                  grouped(std::round(before * ways[2].ratio)));
+      fmt::format("As √n would be {}, as n {}.", fixed(before * choices[1].ratio, 1),
+                  grouped(std::round(before * choices[2].ratio)));
   text.caption =
       fmt::format("Question: {}. From n = {} to {}, how do the pairs grow? Point at a place.",
                   growing == WalkGrowing::cold ? "now each walk starts at the first vertices"
