@@ -169,7 +169,7 @@ struct Lesson {
   std::optional<gjk::Phase> until;  ///< Frames end with the first step of this phase.
   std::vector<gjk::Phase> phases;   ///< Those that get a frame, in any order; empty: all.
   std::optional<LessonPath> path_of_shapes;
-  TourSettings settings;  ///< Of the kind that the tour takes (TourNeeds::settings); empty: none.
+  TourSettings settings;  ///< Those that the tour takes (TourNeeds::settings); empty: none.
 
   std::vector<LessonView> views;
   std::vector<std::string> panel;  ///< Names of registered blocks, from top to bottom.
