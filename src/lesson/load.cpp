@@ -9,11 +9,11 @@
 #include <map>
 #include <tuple>
 
+#include "lesson/keys.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/schema.hpp"
 #include "lesson/settings_kind.hpp"
-#include "lesson/stop_tests.hpp"
 #include "lesson/toml_reader.hpp"
 
 namespace gjkscope {
@@ -52,8 +52,12 @@ class LessonReader {
   Lesson read(const toml::table& root);
 
  private:
-  void read_head(const Table& file);
-  void read_prose(const Field& prose);
+  template <class T, class Keys>
+  void read_keys(const Table& table, Keys keys, T& value, double largest = limits::kLargest) {
+    KeyPass pass(reader_, table, lesson_.dimension, largest);
+    keys(pass, value);
+  }
+  void check_prose(const Field& prose);
   [[nodiscard]] static int dimension_of(const Field& x);
   std::optional<Eigen::Vector3d> point(const Field& field) {
     return reader_.point(field, largest_, lesson_.dimension);
@@ -69,7 +73,6 @@ class LessonReader {
   void read_outlines(const Field& outlines, LessonShape& shape);
   bool claim_vertex_name(const Field& field, const std::string& name);
   void read_beside(const Field& beside);
-  void read_query(const Table& query);
   void read_start(const Field& start);
   void read_path(const Table& path, Place place);
   LessonMotion read_motion(const Table& motion, std::string_view shape, const ShapePlace& place);
@@ -79,7 +82,6 @@ class LessonReader {
   void check_tour(const Tour& tour, const Field& name, const Table& file);
   void check_needs(const Term& term, const Field& field, std::string_view what);
   void read_effects(const Field& effects, LessonView& view);
-  [[nodiscard]] Camera read_camera(const Table& table);
   [[nodiscard]] std::optional<Eye> read_eye(const Field& field);
   void read_views(const Field& views);
   void read_panel(const Table& panel);
@@ -99,8 +101,7 @@ class LessonReader {
   Lesson lesson_;
   double largest_ = limits::kLargest;  ///< The largest coordinate in the lesson's scalar.
   int shapes_read_ = 0;                ///< Those whose vertices and names are all right.
-  Field warm_;
-  Place table_place_;                                ///< The place of the tour's table.
+  Place table_place_;                  ///< The place of the tour's table.
   std::array<ShapePlace, kBodyKeys.size()> places_;  ///< One for each body.
   std::array<Field, kBodyKeys.size()> outlines_;     ///< One for each body.
   std::array<Field, kBodyKeys.size()> radii_;        ///< One for each body.
@@ -110,12 +111,9 @@ class LessonReader {
 
 Lesson LessonReader::read(const toml::table& root) {
   const Table file(root, "", vocabulary_.keys, problems_);
-  read_head(file);
-
+  read_keys(file, head_keys, lesson_);
   const std::optional<Table> query = reader_.table(file["query"], "query");
-  if (query)
-    lesson_.scalar =
-        reader_.choice<ScalarKind>((*query)["scalar"], "scalar").value_or(lesson_.scalar);
+  if (query) read_keys(*query, query_keys, lesson_);
   if (lesson_.scalar == ScalarKind::half) largest_ = limits::kLargestHalf;
 
   if (const auto shapes = reader_.table(file["shapes"], "shapes")) {
@@ -123,14 +121,14 @@ Lesson LessonReader::read(const toml::table& root) {
     for (std::size_t body = 0; body < kBodyKeys.size(); ++body)
       read_shape((*shapes)[kBodyKeys[body]], body);
   }
-  if (query) read_query(*query);
+  if (query) read_start((*query)["start"]);
   const Field path_field = file["path"];
   if (lesson_.warm_start && !path_field)
-    problems_.add(warm_.place(), "a warm start without a path", "a table [path]");
+    problems_.add((*query)["warm"].place(), "a warm start without a path", "a table [path]");
   if (const auto path = reader_.table(path_field, "path")) read_path(*path, path_field.place());
   if (const auto steps = reader_.table(file["steps"], "steps")) read_steps(*steps, file);
   read_tour_settings(file);
-  read_prose(file["prose"]);
+  check_prose(file["prose"]);
   read_views(file["views"]);
   if (const auto panel = reader_.table(file["panel"], "panel")) read_panel(*panel);
   read_questions(file["questions"]);
@@ -140,19 +138,7 @@ Lesson LessonReader::read(const toml::table& root) {
   return lesson_;
 }
 
-void LessonReader::read_head(const Table& file) {
-  using namespace limits;
-  lesson_.title = reader_.text(file["title"], kTitleLength).value_or("");
-  lesson_.chapter = reader_.whole_number(file["chapter"], 0, kLastChapter).value_or(1);
-  lesson_.order = reader_.whole_number(file["order"], 1, kLastOrder).value_or(1);
-  lesson_.source = reader_.text(file["source"], kSourceLength).value_or("");
-  lesson_.opening = reader_.text(file["opening"], kOpeningLength).value_or("");
-  lesson_.next = reader_.text(file["next"], kNextLength).value_or("");
-  lesson_.in_space = reader_.text(file["in_space"], kLessonIdLength).value_or("");
-}
-
-void LessonReader::read_prose(const Field& prose) {
-  lesson_.prose = reader_.text(prose, limits::kProseLength).value_or("");
+void LessonReader::check_prose(const Field& prose) {
   std::vector<std::string> known;
   for (const PlaceholderInfo& placeholder : kPlaceholders) known.emplace_back(placeholder.name);
   for (const PlaceholderInfo& value : vocabulary_.tour(lesson_.tour)->algorithm->values)
@@ -202,15 +188,10 @@ void LessonReader::read_shape(const Field& field, std::size_t body) {
   shape.name = key;
   const std::optional<Table> table = reader_.table(field, "shapes.X");
   if (!table) return;
-  shape.name = reader_.text((*table)["name"], kShapeNameLength).value_or(shape.name);
-  const Field translate = (*table)["translate"];
-  shape.translate = point(translate).value_or(shape.translate);
-  const Field rotate = (*table)["rotate"];
-  shape.rotate_degrees = reader_.number(rotate, -kTurn, kTurn).value_or(0.0);
+  read_keys(*table, shape_keys, shape, largest_);
   read_axis((*table)["axis"], shape);
-  places_[body] = {translate, rotate};
+  places_[body] = {(*table)["translate"], (*table)["rotate"]};
   radii_[body] = (*table)["radius"];
-  shape.radius = reader_.number(radii_[body], 0.0, largest_).value_or(0.0);
 
   const Field vertices = (*table)["vertices"];
   const std::vector<Field> corners = reader_.entries(vertices, a_point());
@@ -336,25 +317,6 @@ std::optional<gjk::VertexPair> LessonReader::simplex_vertex(const Field& field) 
   return gjk::VertexPair{*x, *y};
 }
 
-void LessonReader::read_query(const Table& query) {
-  gjk::Options& options = lesson_.options;
-  options.direction_rule = reader_.choice<gjk::DirectionRule>(query["direction"], "direction rule")
-                               .value_or(options.direction_rule);
-  options.region_order = reader_.choice<gjk::RegionOrder>(query["regions"], "region order")
-                             .value_or(options.region_order);
-  if (const auto stop = read_stop_tests(reader_, query["stop"])) {
-    options.stop_on_repeated_support = (*stop)[0];
-    options.stop_on_no_progress = (*stop)[1];
-  }
-  options.tolerance =
-      reader_.number(query["tolerance"], 0.0, std::nextafter(1.0, 0.0)).value_or(options.tolerance);
-  options.iteration_cap =
-      reader_.whole_number(query["cap"], 1, limits::kCap).value_or(options.iteration_cap);
-  read_start(query["start"]);
-  warm_ = query["warm"];
-  lesson_.warm_start = reader_.yes_or_no(warm_).value_or(false);
-}
-
 void LessonReader::read_start(const Field& start) {
   if (!start) return;
   gjk::Options& options = lesson_.options;
@@ -385,11 +347,10 @@ void LessonReader::read_start(const Field& start) {
 void LessonReader::read_path(const Table& path, Place place) {
   using namespace limits;
   LessonPath read;
+  read_keys(path, path_keys, read);
   read.x() = read_motion(path, "X", places_[0]);
   const Field frames = path["frames"];
-  read.frames = reader_.whole_number(frames, 2, kPositions).value_or(0);
   const Field seconds = path["seconds"];
-  read.seconds = reader_.number(seconds, kShortest, kLongest);
   const Field points = path["points"];
   const Field turns = path["turns"];
   const Field y = path["Y"];
@@ -543,8 +504,8 @@ void LessonReader::read_steps(const Table& steps, const Table& file) {
     problems_.add(radius.place(), fmt::format("'radius' with tour '{}'", tour.name),
                   "no 'radius': only a frame that tells how a run of GJK ends subtracts it");
   }
+  read_keys(steps, steps_keys, lesson_);
   const Field until = steps["until"];
-  lesson_.until = reader_.choice<gjk::Phase>(until, "phase");
   const Field phases = steps["phases"];
   for (const Field& entry : reader_.entries(phases, one_of(names_of<gjk::Phase>()))) {
     if (const auto phase = reader_.choice<gjk::Phase>(entry, "phase"))
@@ -582,17 +543,6 @@ void LessonReader::read_tour_settings(const Table& file) {
   }
 }
 
-Camera LessonReader::read_camera(const Table& table) {
-  Camera read;
-  read.center =
-      reader_.point(table["center"], limits::kLargest, lesson_.dimension).value_or(read.center);
-  read.height = reader_.number(table["height"], limits::kSmallestCameraHeight, limits::kLargest)
-                    .value_or(read.height);
-  read.stretch = reader_.number(table["stretch"], 1.0 / limits::kMostStretch, limits::kMostStretch)
-                     .value_or(read.stretch);
-  return read;
-}
-
 std::optional<Eye> LessonReader::read_eye(const Field& field) {
   const std::optional<Table> table = reader_.table(field, "views.eye");
   if (!table) return std::nullopt;
@@ -600,9 +550,9 @@ std::optional<Eye> LessonReader::read_eye(const Field& field) {
     problems_.add(field.place(), "an 'eye' in the plane", "points [x, y, z], or no 'eye'");
     return std::nullopt;
   }
-  return Eye{
-      reader_.number((*table)["azimuth"], -limits::kTurn, limits::kTurn).value_or(0.0),
-      reader_.number((*table)["elevation"], -limits::kUpright, limits::kUpright).value_or(0.0)};
+  Eye eye;
+  read_keys(*table, eye_keys, eye);
+  return eye;
 }
 
 void LessonReader::read_views(const Field& views) {
@@ -620,14 +570,7 @@ void LessonReader::read_views(const Field& views) {
     show.expected = one_of(kinds);
     const std::string kind = reader_.name(show, "view", kinds).value_or(kinds[0]);
     view.kind = value_of<ViewKind>(kind).value_or(ViewKind::plot);
-    view.title = reader_.text((*table)["title"], limits::kViewTitleLength).value_or("");
-    if (const auto camera = reader_.table((*table)["camera"], "views.camera"))
-      view.camera = read_camera(*camera);
-    if (const auto close_up = reader_.table((*table)["close-up"], "views.close-up")) {
-      const std::optional<CardCorner> corner =
-          reader_.choice<CardCorner>((*close_up)["corner"], "corner");
-      view.close_up = {read_camera(*close_up), corner.value_or(CardCorner::bottom_right)};
-    }
+    read_keys(*table, view_keys, view);
     view.eye = read_eye((*table)["eye"]);
     if (view.close_up && lesson_.dimension == 3) {
       problems_.add((*table)["close-up"].place(), "a close-up in space",
@@ -733,20 +676,22 @@ void LessonReader::read_questions(const Field& questions) {
     if (!table) continue;
     const Field ask = (*table)["ask"];
     const std::optional<std::string> asked = reader_.name(ask, "question", known);
-    const std::optional<int> at = reader_.whole_number((*table)["at"], 1, limits::kCap);
+    LessonQuestion question;
+    read_keys(*table, question_keys, question);
     if (!asked) continue;
+    question.ask = *asked;
     if (tour.ask(*asked) == nullptr) {
       problems_.add(ask.place(), fmt::format("question '{}' with tour '{}'", *asked, tour.name),
                     fmt::format("one of: {}", fmt::join(asked_here, ", ")));
     }
     const auto same = [&](const LessonQuestion& other) {
-      return other.ask == *asked && (!other.at || !at || *other.at == *at);
+      return other.ask == *asked && (!other.at || !question.at || other.at == question.at);
     };
     if (std::any_of(lesson_.questions.begin(), lesson_.questions.end(), same)) {
       problems_.add(ask.place(), fmt::format("question '{}' is asked twice", *asked),
                     "each question once in an iteration");
     }
-    lesson_.questions.push_back({*asked, at});
+    lesson_.questions.push_back(std::move(question));
   }
 }
 
@@ -794,7 +739,7 @@ void LessonReader::read_expect(const Table& expect, Place place) {
   const Field ends = expect["stop"];
   if (!ends) problems_.add(place, "missing key 'stop'", ends.expected);
   lesson_.expect.stop = reader_.name(ends, "stop reason", outcomes);
-  lesson_.expect.distance = reader_.number(expect["distance"], 0.0, 4.0 * limits::kLargest);
+  read_keys(expect, expect_keys, lesson_.expect);
   read_answers(expect["answer"]);
 
   const Field supports = expect["supports"];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "lesson/key_pass.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/schema.hpp"
 #include "lesson/toml_reader.hpp"
@@ -23,6 +24,12 @@ struct TableSource {
   const Lesson& lesson;                 ///< Its shapes, query and path have been read.
   const std::filesystem::path& folder;  ///< The lesson's folder.
   const FileReader& read_file;          ///< Use this one: a page has its files in memory.
+  /// Reads the keys of `of`, the table or one in it.
+  template <class T>
+  void read_keys(const toml_file::Table& of, KeysOf<T> keys, T& value) const {
+    KeyPass pass(reader, of, lesson.dimension, limits::kLargest);
+    keys(pass, value);
+  }
 };
 
 /// A tour names the one that it takes (TourNeeds::settings).

@@ -64,6 +64,7 @@ class Table {
         Problems& problems);
   /// One of its LessonKeys; absent where the file does not have it.
   [[nodiscard]] Field operator[](std::string_view key) const;
+  [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
   const toml::table& table_;

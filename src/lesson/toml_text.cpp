@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <bit>
-#include <cstdint>
-
 #include "base/decimal.hpp"
 #include "lesson/problem.hpp"
 
@@ -66,23 +63,26 @@ std::string in_brackets(const std::vector<double>& numbers) {
   return fmt::format("[{}]", fmt::join(texts_of(numbers, decimal), ", "));
 }
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+std::vector<std::string> as_texts(const std::vector<double>& numbers) {
+  return texts_of(numbers, decimal);
 }
 
-void TomlText::write_header() {
-  if (!header_.empty()) text_ += fmt::format("\n{}\n", header_);
-  header_.clear();
+std::vector<std::string> as_texts(const std::vector<int>& numbers) {
+  return texts_of(numbers, [](int number) { return std::to_string(number); });
 }
 
-void TomlText::key(std::string_view name, std::string_view value) {
-  write_header();
-  text_ += fmt::format("{} = {}\n", name, value);
+std::vector<std::string> as_texts(const std::vector<Eigen::Vector3d>& points, int dimension) {
+  return texts_of(points,
+                  [&](const Eigen::Vector3d& point) { return in_brackets(point, dimension); });
 }
 
-void TomlText::list(std::string_view name, const std::vector<std::string>& entries) {
+std::string key_line(std::string_view key, std::string_view value) {
+  return fmt::format("{} = {}\n", key, value);
+}
+
+std::string list_line(std::string_view key, const std::vector<std::string>& entries) {
   const std::string one_line = fmt::format("[{}]", fmt::join(entries, ", "));
-  if (fits(name, one_line)) return key(name, one_line);
+  if (fits(key, one_line)) return key_line(key, one_line);
   std::string lines = "[";
   int width = kWidth;
   for (const std::string& entry : entries) {
@@ -95,26 +95,12 @@ void TomlText::list(std::string_view name, const std::vector<std::string>& entri
     }
     lines += entry + ",";
   }
-  key(name, lines + "\n]");
+  return key_line(key, lines + "\n]");
 }
 
-void TomlText::list(std::string_view name, const std::vector<double>& numbers) {
-  list(name, texts_of(numbers, decimal));
-}
-
-void TomlText::list(std::string_view name, const std::vector<int>& numbers) {
-  list(name, texts_of(numbers, [](int number) { return std::to_string(number); }));
-}
-
-void TomlText::list(std::string_view name, const std::vector<Eigen::Vector3d>& points,
-                    int dimension) {
-  list(name, texts_of(points,
-                      [&](const Eigen::Vector3d& point) { return in_brackets(point, dimension); }));
-}
-
-void TomlText::long_text(std::string_view name, std::string_view text) {
+std::string long_text_line(std::string_view key, std::string_view text) {
   const std::string short_form = as_text(text);
-  if (fits(name, short_form) || !may_begin_line(text.front())) return key(name, short_form);
+  if (fits(key, short_form) || !may_begin_line(text.front())) return key_line(key, short_form);
   std::string lines = "\"\"\"";
   int width = kWidth;
   while (!text.empty()) {
@@ -129,19 +115,28 @@ void TomlText::long_text(std::string_view name, std::string_view text) {
     }
     lines += word;
   }
-  key(name, lines + "\"\"\"");
+  return key_line(key, lines + "\"\"\"");
 }
 
-void TomlText::number(std::string_view name, double value, double otherwise) {
-  if (!same_bits(value, otherwise)) key(name, decimal(value));
+std::string in_braces(const std::vector<std::string>& lines) {
+  std::string keys;
+  for (const std::string& line : lines) {
+    if (line.empty()) continue;
+    keys += (keys.empty() ? "" : ", ") + line.substr(0, line.find('\n'));
+  }
+  return fmt::format("{{ {} }}", keys);
 }
 
-void TomlText::whole_number(std::string_view name, int value, int otherwise) {
-  if (value != otherwise) key(name, std::to_string(value));
+void TomlText::write_header() {
+  if (!header_.empty()) text_ += fmt::format("\n{}\n", header_);
+  header_.clear();
 }
 
-void TomlText::text(std::string_view name, std::string_view value, std::string_view otherwise) {
-  if (value != otherwise) key(name, as_text(value));
+void TomlText::lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (!line.empty()) write_header();
+    text_ += line;
+  }
 }
 
 }  // namespace gjkscope

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "base/decimal.hpp"
 #include "lesson/settings_kind.hpp"
 #include "subjects/balance/subject.hpp"
 
@@ -17,16 +16,17 @@ using toml_file::Field;
 constexpr int kMoments = 500;  // at all positions together
 constexpr double kLongestSimulation = 3600.0;
 
-std::vector<LessonKey> time_keys() {
-  return {
-      {"time", "seconds", fmt::format("number above 0, up to {}", kLongestSimulation),
-       std::string(kRequired),
-       "length of the simulation; with `frames` the last frame is at its end"},
-      {"time", "frames", fmt::format("whole number from 2 to {}", kMoments), "`moments`",
-       "moments at equal steps, for each position of X"},
-      {"time", "moments", "list of lists of ascending numbers from 0 to `seconds`", "`frames`",
-       "seconds of the frames, a list for each position of X"},
-  };
+void time_keys(KeyPass& keys, LessonTime& time) {
+  keys("seconds", kRequired, "length of the simulation; with `frames` the last frame is at its end",
+       fmt::format("number above 0, up to {}", kLongestSimulation))
+      .number(time.seconds, 0.0, kLongestSimulation);
+  keys("frames", "`moments`", "moments at equal steps, for each position of X")
+      .whole_number(time.frames, 2, kMoments);
+  std::vector<std::string> lists;
+  for (const std::vector<double>& moments : time.moments) lists.push_back(in_brackets(moments));
+  keys("moments", "`frames`", "seconds of the frames, a list for each position of X",
+       "list of lists of ascending numbers from 0 to `seconds`")
+      .other_list(lists);
 }
 
 std::vector<std::vector<double>> read_moments(const TableSource& source, const Field& field,
@@ -66,7 +66,7 @@ std::vector<std::vector<double>> read_moments(const TableSource& source, const F
 TourSettings read_time(const TableSource& source) {
   LessonTime time;
   const Field seconds = source.table["seconds"];
-  time.seconds = source.reader.number(seconds, 0.0, kLongestSimulation).value_or(time.seconds);
+  source.read_keys(source.table, time_keys, time);
   if (time.seconds == 0.0) source.problems.add(seconds, "'seconds' is 0");
   const Field frames = source.table["frames"];
   const Field moments = source.table["moments"];
@@ -80,7 +80,6 @@ TourSettings read_time(const TableSource& source) {
   if (moments) source.problems.add(moments.place(), "'moments' besides 'frames'", "one of the two");
   if (!frames)
     source.problems.add(source.place, "a simulation without frames", "'frames' or 'moments'");
-  time.frames = source.reader.whole_number(frames, 2, kMoments).value_or(time.frames);
   if (frames && positions * time.frames > kMoments) {
     source.problems.add(frames.place(),
                         fmt::format("{} frames at each of {} positions", time.frames, positions),
@@ -90,18 +89,14 @@ TourSettings read_time(const TableSource& source) {
 }
 
 void write_time(const TourSettings& table, TomlText& out) {
-  const LessonTime& time = *table.as<LessonTime>();
   out.table("[time]");
-  out.key("seconds", decimal(time.seconds));
-  out.whole_number("frames", time.frames, 0);
-  std::vector<std::string> lists;
-  for (const std::vector<double>& moments : time.moments) lists.push_back(in_brackets(moments));
-  if (!lists.empty()) out.list("moments", lists);
+  out.lines(written_keys(*table.as<LessonTime>(), time_keys, 2, {.frames = 0}));
 }
 
 }  // namespace
 
-const SettingsKind LessonTime::kKind = {"time", "the moments that frames show", time_keys,
+const SettingsKind LessonTime::kKind = {"time", "the moments that frames show",
+                                        [] { return listed_keys<LessonTime>("time", time_keys); },
                                         read_time, write_time};
 
 }  // namespace gjkscope

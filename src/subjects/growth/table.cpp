@@ -22,44 +22,48 @@ constexpr int kLargestSeed = 1'000'000'000;
 constexpr int kMachineLength = 80;
 constexpr double kNanoseconds = 1e15;  // that a method takes
 
-std::vector<LessonKey> growth_keys() {
-  const std::string required(kRequired);
-  const std::string times =
-      fmt::format("list of numbers from 1 to {:g}, one a size: nanoseconds", kNanoseconds);
-  return {
-      {"growth", "vertices",
-       fmt::format("list of 2 to {} whole numbers from 3 to {}, ascending", kSizes,
-                   kMeasuredVertices),
-       required,
+void growth_keys(KeyPass& keys, LessonGrowth& growth) {
+  keys("vertices", kRequired,
        fmt::format("numbers of vertices of each of the two polygons; their sum is at most {}",
-                   kMeasuredTogether)},
-      {"growth", "runs", fmt::format("whole number from 1 to {}", kMeasuredRuns), "100",
-       "runs with each number of vertices, of which frames show the averages"},
-      {"growth", "seed", fmt::format("whole number from 0 to {}", kLargestSeed), "1",
-       "of the random polygons: the same number gives the same ones"},
-      {"growth", "tolerance", "number of at least 0 and below 1", "0.001",
-       "frames also count the iterations until lower >= (1 - tolerance) * upper"},
-      {"growth", "times", "table [growth.times]", "none",
-       "with tour `general-growth`: how long methods take, as `gjkscope study models` "
-       "measures and writes it"},
-      {"growth.times", "machine", text_up_to(kMachineLength), required, "what it was measured on"},
-      {"growth.times", "pairs", times, required, "all pairs of segments"},
-      {"growth.times", "pieces", times, required,
-       "convex pieces, cut beforehand, up to the largest that are cut"},
-      {"growth.times", "boxes", times, required, "trees of boxes, built beforehand"},
-      {"growth.times", "circles", times, required, "trees of circles"},
-      {"growth.times", "remembered", times, required,
-       "trees of boxes, from the closest pair of the position before"},
-      {"growth.times", "collide", times, required,
-       "trees of boxes, only to find whether they collide"},
-      {"growth.times", "build", times, required, "building both trees of boxes"},
-  };
+                   kMeasuredTogether),
+       fmt::format("list of 2 to {} whole numbers from 3 to {}, ascending", kSizes,
+                   kMeasuredVertices))
+      .other_list(as_texts(growth.vertices));
+  keys("runs", "", "runs with each number of vertices, of which frames show the averages")
+      .whole_number(growth.runs, 1, kMeasuredRuns);
+  keys("seed", "", "of the random polygons: the same number gives the same ones")
+      .whole_number(growth.seed, 0, kLargestSeed);
+  keys("tolerance", "", "frames also count the iterations until lower >= (1 - tolerance) * upper",
+       "number of at least 0 and below 1")
+      .number(growth.tolerance, 0.0, std::nextafter(1.0, 0.0));
+  keys("times", "none",
+       "with tour `general-growth`: how long methods take, as `gjkscope study models` measures and "
+       "writes it",
+       "table [growth.times]")
+      .other();
+}
+
+void times_keys(KeyPass& keys, GrowthTimes& times) {
+  keys("machine", kRequired, "what it was measured on").text(times.machine, kMachineLength);
+  constexpr std::array<std::string_view, kGrowthTimes.size()> kMeanings = {
+      "all pairs of segments",
+      "convex pieces, cut beforehand, up to the largest that are cut",
+      "trees of boxes, built beforehand",
+      "trees of circles",
+      "trees of boxes, from the closest pair of the position before",
+      "trees of boxes, only to find whether they collide",
+      "building both trees of boxes"};
+  for (std::size_t i = 0; i < kGrowthTimes.size(); ++i) {
+    keys(kGrowthTimes[i].first, kRequired, std::string(kMeanings[i]),
+         fmt::format("list of numbers from 1 to {:g}, one a size: nanoseconds", kNanoseconds))
+        .other_list(as_texts(times.*kGrowthTimes[i].second));
+  }
 }
 
 /// Pieces are timed up to the largest outlines that are cut, all else at each size.
 GrowthTimes read_times(const TableSource& source, const Table& table, std::size_t sizes) {
   GrowthTimes times;
-  times.machine = source.reader.text(table["machine"], kMachineLength).value_or("");
+  source.read_keys(table, times_keys, times);
   for (const auto& [name, member] : kGrowthTimes) {
     const Field field = table[name];
     std::vector<double>& list = times.*member;
@@ -101,12 +105,7 @@ TourSettings read_growth(const TableSource& source) {
     source.problems.add(vertices.place(), fmt::format("{} vertices in all", all),
                         fmt::format("a sum of at most {}", kMeasuredTogether));
   }
-  growth.runs =
-      source.reader.whole_number(source.table["runs"], 1, kMeasuredRuns).value_or(growth.runs);
-  growth.seed =
-      source.reader.whole_number(source.table["seed"], 0, kLargestSeed).value_or(growth.seed);
-  growth.tolerance = source.reader.number(source.table["tolerance"], 0.0, std::nextafter(1.0, 0.0))
-                         .value_or(growth.tolerance);
+  source.read_keys(source.table, growth_keys, growth);
   if (const auto times = source.reader.table(source.table["times"], "growth.times"))
     growth.times = read_times(source, *times, growth.vertices.size());
   return TourSettings(std::move(growth));
@@ -114,21 +113,21 @@ TourSettings read_growth(const TableSource& source) {
 
 void write_growth(const TourSettings& table, TomlText& out) {
   const LessonGrowth& growth = *table.as<LessonGrowth>();
-  const LessonGrowth defaults;
   out.table("[growth]");
-  out.list("vertices", growth.vertices);
-  out.whole_number("runs", growth.runs, defaults.runs);
-  out.whole_number("seed", growth.seed, defaults.seed);
-  out.number("tolerance", growth.tolerance, defaults.tolerance);
+  out.lines(written_keys(growth, growth_keys));
   if (!growth.times) return;
   out.table("[growth.times]");
-  out.text("machine", growth.times->machine, "");
-  for (const auto& [name, member] : kGrowthTimes) out.list(name, (*growth.times).*member);
+  out.lines(written_keys(*growth.times, times_keys));
 }
 
 }  // namespace
 
-const SettingsKind LessonGrowth::kKind = {"growth", "random polygons that runs are measured with",
-                                          growth_keys, read_growth, write_growth};
+const SettingsKind LessonGrowth::kKind = {
+    "growth", "random polygons that runs are measured with",
+    [] {
+      return listed_keys<LessonGrowth>("growth", growth_keys,
+                                       listed_keys<GrowthTimes>("growth.times", times_keys));
+    },
+    read_growth, write_growth};
 
 }  // namespace gjkscope

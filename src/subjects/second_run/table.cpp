@@ -6,7 +6,6 @@
 
 #include "lesson/names.hpp"
 #include "lesson/settings_kind.hpp"
-#include "lesson/stop_tests.hpp"
 #include "mistakes/mistakes.hpp"
 
 namespace gjkscope {
@@ -24,24 +23,27 @@ std::vector<std::string> mistake_names() {
   return out;
 }
 
-std::vector<LessonKey> second_keys() {
-  const std::string otherwise = "one of the table's keys";
-  const std::string as_first = "that of the lesson's run";
-  return {
-      {"second", "mistake", one_of(mistake_names()), otherwise,
-       "the second run is that of the textbook's loop with this line changed (src/mistakes)"},
-      {"second", "log", text_up_to(kPathLength), otherwise,
+void second_keys(KeyPass& keys, LessonSecond& second) {
+  constexpr std::string_view kOneOf = "one of the table's keys";
+  constexpr std::string_view kAsFirst = "that of the lesson's run";
+  std::optional<std::string> mistake;
+  if (!second.mistake.empty()) mistake = second.mistake;
+  keys("mistake", kOneOf,
+       "the second run is that of the textbook's loop with this line changed (src/mistakes)")
+      .name(mistake, "mistake", mistake_names());
+  second.mistake = mistake.value_or("");
+  keys("log", kOneOf,
        "the second run is that of this log (docs/log-format.md), as seen from the folder of the "
-       "lesson; the shapes are those of the log"},
-      {"second", "scalar", one_of(names_of<ScalarKind>()), as_first,
-       "the second run is GJK in this scalar, from the same vertices"},
-      {"second", "direction", one_of(names_of<gjk::DirectionRule>()), as_first,
-       "the second run is GJK with this search direction"},
-      {"second", "regions", one_of(names_of<gjk::RegionOrder>()), as_first,
-       "the second run is GJK with this order of the region tests"},
-      {"second", "stop", std::string(kStopTests), as_first,
-       "the second run is GJK with these stop tests"},
-  };
+       "lesson; the shapes are those of the log",
+       text_up_to(kPathLength))
+      .other();
+  keys("scalar", kAsFirst, "the second run is GJK in this scalar, from the same vertices")
+      .choice<ScalarKind>(second.scalar, "scalar");
+  keys("direction", kAsFirst, "the second run is GJK with this search direction")
+      .choice<gjk::DirectionRule>(second.direction, "direction rule");
+  keys("regions", kAsFirst, "the second run is GJK with this order of the region tests")
+      .choice<gjk::RegionOrder>(second.regions, "region order");
+  keys("stop", kAsFirst, "the second run is GJK with these stop tests").stop_tests(second.stop);
 }
 
 std::optional<NamedFile> read_log_file(const TableSource& source, const Field& field,
@@ -92,19 +94,12 @@ TourSettings read_second(const TableSource& source) {
   const Field mistake = source.table["mistake"];
   const Field log = source.table["log"];
   const Field scalar = source.table["scalar"];
-  const Field direction = source.table["direction"];
-  const Field regions = source.table["regions"];
-  const Field stop = source.table["stop"];
-  const bool by_gjk = scalar || direction || regions || stop;
+  const bool by_gjk =
+      scalar || source.table["direction"] || source.table["regions"] || source.table["stop"];
   const auto refuse = [&](const Place& place, std::string what, std::string expected) {
     source.problems.add(place, std::move(what), std::move(expected));
   };
-  if (mistake)
-    second.mistake = source.reader.name(mistake, "mistake", mistake_names()).value_or("");
-  second.scalar = source.reader.choice<ScalarKind>(scalar, "scalar");
-  second.direction = source.reader.choice<gjk::DirectionRule>(direction, "direction rule");
-  second.regions = source.reader.choice<gjk::RegionOrder>(regions, "region order");
-  second.stop = read_stop_tests(source.reader, stop);
+  source.read_keys(source.table, second_keys, second);
   if (second.scalar == source.lesson.scalar && !second.has_rules()) {
     refuse(scalar.place(), "the second run has the scalar of the first",
            fmt::format("another one than '{}'", name_of(source.lesson.scalar)));
@@ -128,14 +123,9 @@ TourSettings read_second(const TableSource& source) {
 }
 
 void write_second(const TourSettings& table, TomlText& out) {
-  const LessonSecond& second = *table.as<LessonSecond>();
   out.table("[second]");
-  out.text("mistake", second.mistake, "");
-  if (table.file) out.text("log", table.file->path, "");
-  if (second.scalar) out.text("scalar", name_of(*second.scalar), "");
-  if (second.direction) out.text("direction", name_of(*second.direction), "");
-  if (second.regions) out.text("regions", name_of(*second.regions), "");
-  if (second.stop) write_stop_tests(out, *second.stop);
+  if (table.file) out.key("log", as_text(table.file->path));
+  out.lines(written_keys(*table.as<LessonSecond>(), second_keys));
 }
 
 }  // namespace
@@ -164,7 +154,8 @@ std::string LessonSecond::rules() const {
 
 const LessonSecond* second_of(const Lesson& lesson) { return lesson.settings.as<LessonSecond>(); }
 
-const SettingsKind LessonSecond::kKind = {kTable, "the run that is set beside the lesson's own",
-                                          second_keys, read_second, write_second};
+const SettingsKind LessonSecond::kKind = {
+    kTable, "the run that is set beside the lesson's own",
+    [] { return listed_keys<LessonSecond>(kTable, second_keys); }, read_second, write_second};
 
 }  // namespace gjkscope

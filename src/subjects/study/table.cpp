@@ -21,24 +21,27 @@ constexpr int kNameLength = 80;  // of a family or a configuration
 constexpr int kAboutLength = 60;
 constexpr int kNoteLength = 200;
 
-std::vector<LessonKey> study_keys() {
-  const std::string required(kRequired);
-  return {
-      {"study", "results", text_up_to(kPathLength), required,
-       "accuracy.json of a study, as seen from the folder of the lesson"},
-      {"study", "family", text_up_to(kNameLength), required,
-       "family of pairs that is shown, one of the file's"},
-      {"study", "marks", fmt::format("1 to {} tables [[study.marks]]", LessonStudy::kMostMarks),
-       required, "configurations that frames introduce, in this order"},
-      {"study.marks", "configuration", text_up_to(kNameLength), required,
-       "one of the family's configurations"},
-      {"study.marks", "beside", text_up_to(kNameLength), "the mark before",
-       "an earlier mark, which it is compared with"},
-      {"study.marks", "about", text_up_to(kAboutLength), "none",
-       "what it does, for the panel `study`"},
-      {"study.marks", "note", text_up_to(kNoteLength), "none",
-       "a sentence about it, for the frame that introduces it"},
-  };
+void study_keys(KeyPass& keys, LessonStudy& study) {
+  keys("results", kRequired, "accuracy.json of a study, as seen from the folder of the lesson",
+       text_up_to(kPathLength))
+      .other();
+  keys("family", kRequired, "family of pairs that is shown, one of the file's",
+       text_up_to(kNameLength))
+      .other(as_text(study.family));
+  keys("marks", kRequired, "configurations that frames introduce, in this order",
+       fmt::format("1 to {} tables [[study.marks]]", LessonStudy::kMostMarks))
+      .other();
+}
+
+void mark_keys(KeyPass& keys, StudyMark& mark) {
+  keys("configuration", kRequired, "one of the family's configurations", text_up_to(kNameLength))
+      .other(as_text(mark.configuration));
+  keys("beside", "the mark before", "an earlier mark, which it is compared with",
+       text_up_to(kNameLength))
+      .other(as_text(mark.beside));
+  keys("about", "none", "what it does, for the panel `study`").text(mark.about, kAboutLength);
+  keys("note", "none", "a sentence about it, for the frame that introduces it")
+      .text(mark.note, kNoteLength);
 }
 
 /// The file that [study] names; nothing where it cannot be read.
@@ -73,8 +76,7 @@ void read_mark(const TableSource& source, const Table& table, LessonStudy& study
   for (const StudyMark& other : study.marks) earlier.push_back(other.configuration);
   StudyMark mark;
   mark.beside = source.reader.name(table["beside"], "earlier mark", earlier).value_or("");
-  mark.about = source.reader.text(table["about"], kAboutLength).value_or("");
-  mark.note = source.reader.text(table["note"], kNoteLength).value_or("");
+  source.read_keys(table, mark_keys, mark);
   const Field configuration = table["configuration"];
   const std::optional<std::string> name = source.reader.name(configuration, "configuration", known);
   if (!name) return;
@@ -110,20 +112,22 @@ TourSettings read_study(const TableSource& source) {
 void write_study(const TourSettings& table, TomlText& out) {
   const LessonStudy& study = *table.as<LessonStudy>();
   out.table("[study]");
-  if (table.file) out.text("results", table.file->path, "");
-  out.text("family", study.family, "");
+  if (table.file) out.key("results", as_text(table.file->path));
+  out.lines(written_keys(study, study_keys));
   for (const StudyMark& mark : study.marks) {
     out.table("[[study.marks]]");
-    out.text("configuration", mark.configuration, "");
-    out.text("beside", mark.beside, "");
-    out.text("about", mark.about, "");
-    out.text("note", mark.note, "");
+    out.lines(written_keys(mark, mark_keys));
   }
 }
 
 }  // namespace
 
 const SettingsKind LessonStudy::kKind = {"study", "results of `gjkscope study accuracy`",
-                                         study_keys, read_study, write_study};
+                                         [] {
+                                           return listed_keys<LessonStudy>(
+                                               "study", study_keys,
+                                               listed_keys<StudyMark>("study.marks", mark_keys));
+                                         },
+                                         read_study, write_study};
 
 }  // namespace gjkscope
