@@ -34,7 +34,7 @@ class KeyPass {
       : dimension(of_dimension), lines_(&lines), is_fresh_(is_fresh) {}
 
   const int dimension = 2;
-  const double largest = limits::kLargest;  ///< Of coordinates, in size.
+  const double largest = limits::kLargest;  ///< Bound of the size of coordinates.
 
   /// The words of the next key: see LessonKey. Empty: `otherwise` is the value of a fresh object,
   /// `type` what the bounds say.
@@ -78,7 +78,7 @@ class KeyPass {
   template <class T>
   void table(std::optional<T>& value, KeysOf<T> keys);
 
-  // What is read elsewhere. Values and entries are written as they are.
+  // Keys that are read elsewhere. Values and entries are written as they are.
   void other(std::string_view value = {});
   void other_list(const std::optional<Texts>& entries);
 
