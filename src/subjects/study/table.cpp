@@ -17,7 +17,6 @@ using toml_file::Table;
 
 constexpr int kResultsBytes = 1 << 24;
 constexpr int kPathLength = 1000;
-constexpr int kNameLength = 80;  // of a family or a configuration
 constexpr int kAboutLength = 60;
 constexpr int kNoteLength = 200;
 
@@ -25,8 +24,7 @@ void study_keys(KeyPass& keys, LessonStudy& study) {
   keys("results", kRequired, "accuracy.json of a study, as seen from the folder of the lesson",
        text_up_to(kPathLength))
       .other();
-  keys("family", kRequired, "family of pairs that is shown, one of the file's",
-       text_up_to(kNameLength))
+  keys("family", kRequired, "family of pairs that is shown, one of the file's", "name of a family")
       .other(as_text(study.family));
   keys("marks", kRequired, "configurations that frames introduce, in this order",
        fmt::format("1 to {} tables [[study.marks]]", LessonStudy::kMostMarks))
@@ -34,10 +32,10 @@ void study_keys(KeyPass& keys, LessonStudy& study) {
 }
 
 void mark_keys(KeyPass& keys, StudyMark& mark) {
-  keys("configuration", kRequired, "one of the family's configurations", text_up_to(kNameLength))
+  keys("configuration", kRequired, "one of the family's configurations", "name of a configuration")
       .other(as_text(mark.configuration));
   keys("beside", "the mark before", "an earlier mark, which it is compared with",
-       text_up_to(kNameLength))
+       "name of a configuration")
       .other(as_text(mark.beside));
   keys("about", "none", "what it does, for the panel `study`").text(mark.about, kAboutLength);
   keys("note", "none", "a sentence about it, for the frame that introduces it")
