@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "gjk/regions.hpp"
+
 namespace gjkscope {
 namespace {
 
