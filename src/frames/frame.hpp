@@ -59,7 +59,7 @@ using CameraOverrides = std::vector<std::optional<CameraOverride>>;
 /// place from one picture asked for to the next.
 class LessonPictures {
  public:
-  /// One view on the page: what `camera` sees of it, centerd in `card`.
+  /// One view on the page: what `camera` sees of it, centered in `card`.
   struct ShownView {
     Rect card;
     ViewKind kind = ViewKind::world;

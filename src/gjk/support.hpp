@@ -50,7 +50,7 @@ struct Along {
     }
     d = shape.pose.template direction_to_local<R>(in_world);
     if constexpr (std::is_same_v<R, S>) {
-      if (!frames.centerd && frames.exponent == 0) in_place = shape.vertices().data();
+      if (!frames.centered && frames.exponent == 0) in_place = shape.vertices().data();
     }
   }
   [[nodiscard]] int count() const { return static_cast<int>(shape.vertices().size()); }

@@ -24,8 +24,8 @@ class StageMap {
   /// precision, and what is out there is seen only as a line's direction.
   static constexpr double kFarthest = 1e7;
 
-  /// Shows `camera.height` units over the height of `area`, centerd. Who cuts off what lies outside
-  /// may do without a `farthest`.
+  /// Shows `camera.height` units over the height of `area`, centered. Who cuts off what lies
+  /// outside may do without a `farthest`.
   StageMap(const Rect& area, const Camera& camera, double farthest = kFarthest)
       : area_(area), camera_(camera), farthest_(farthest) {
     if (camera.eye) axes_ = axes_of(*camera.eye);

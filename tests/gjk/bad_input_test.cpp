@@ -151,7 +151,7 @@ TEST(overflow_pose, "a pose that overflows is refused; a huge common translation
 }
 
 TEST(infinite_pose, "an infinite translation is refused, even one that both shapes share") {
-  for (const double far : {0.0, 1e6}) {  // far from their origins, points are centerd
+  for (const double far : {0.0, 1e6}) {  // far from their origins, points are centered
     Case<double> bad;
     for (auto* points : {&bad.x, &bad.y}) {
       for (auto& point : *points) point += Vec<double, 2>(far, far);

@@ -152,8 +152,8 @@ TEST(measured, "points know their box, their center and their radius") {
   CHECK((points(edge).center == Vec<double, 2>(0, 0)));
   const List<double> low = {{-14, -7}, {-10, -4}};
   CHECK((points(low).center == Vec<double, 2>(-12, -5.5)));
-  CHECK(points(low).is_centerd && points(far).is_centerd);
-  CHECK(!points(around).is_centerd && !points(edge).is_centerd);
+  CHECK(points(low).is_centered && points(far).is_centered);
+  CHECK(!points(around).is_centered && !points(edge).is_centered);
 }
 
 TEST(far_apart, "two points stand for the longest side of the box, wherever it lies") {

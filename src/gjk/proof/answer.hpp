@@ -120,7 +120,7 @@ template <class R, class S, int D>
     beyond = beyond + Vec<W, D>((vertex(i) - from) * weight);
   }
   if constexpr (std::is_same_v<W, R> && !ScalarTraits<R>::kExact) {
-    if (shape.pose.rotation.turns() && prepared.centerd) {
+    if (shape.pose.rotation.turns() && prepared.centered) {
       return careful_world_point<R>(shape.pose, from, beyond, prepared.exponent);
     }
   }

@@ -33,7 +33,7 @@ struct Frames {
   int exponent = 0;
   R unit = R(1);            ///< 2^-exponent, for scalars that round.
   bool same_frame = false;  ///< One unturned pose for both: differences of vertices round once.
-  bool centerd = false;     ///< True when a center is not the origin of its shape's frame.
+  bool centered = false;    ///< True when a center is not the origin of its shape's frame.
   Body<R, D> x;
   Body<R, D> y;
   /// From the center of X to that of Y, in world axes and the run's unit.
@@ -107,8 +107,8 @@ void set_frames(const MeasuredQuery<S, D>& measured, int exponent, Frames<R, D>&
     frames.offset = frames.in_unit(converted<R, S, D>(query.y.pose.translation) -
                                    converted<R, S, D>(query.x.pose.translation));
   } else {
-    frames.centerd = measured.x.is_centerd || measured.y.is_centerd;
-    if (frames.centerd) {
+    frames.centered = measured.x.is_centered || measured.y.is_centered;
+    if (frames.centered) {
       frames.x.center = converted<R, S, D>(measured.x.center);
       frames.y.center = converted<R, S, D>(measured.y.center);
       frames.offset = offset_of_centers<R>(query, frames);
@@ -128,7 +128,7 @@ template <class R, class S, int D>
 [[nodiscard]] Vec<R, D> from_center(const Shape<S, D>& shape, const Frames<R, D>& frames,
                                     const Body<R, D>& body, int i) {
   const auto& vertex = converted<R, S, D>(shape.vertices()[i]);
-  return frames.in_unit(frames.centerd ? Vec<R, D>(vertex - body.center) : Vec<R, D>(vertex));
+  return frames.in_unit(frames.centered ? Vec<R, D>(vertex - body.center) : Vec<R, D>(vertex));
 }
 
 /// Sets all of one body but its center.

@@ -121,8 +121,8 @@ struct Measures {
   /// not on its place: the middle of its box if it lies far from its frame's origin, else that
   /// origin.
   Vec<S, D> center = Vec<S, D>::Zero();
-  bool is_centerd = false;  ///< `center` is the middle of the box.
-  bool is_finite = true;    ///< No coordinate is a NaN or an infinity.
+  bool is_centered = false;  ///< `center` is the middle of the box.
+  bool is_finite = true;     ///< No coordinate is a NaN or an infinity.
   /// kRingFrom points or more, the corners of a strictly convex polygon in order. Plane only.
   bool is_ring = false;
   S largest = S(0);  ///< The largest magnitude of a coordinate.
@@ -212,8 +212,8 @@ template <class S, int D>
     }
     largest = larger(norm_max(low), norm_max(high));
     const Vec<S, D> middle = low / S(2) + high / S(2);
-    is_centerd = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
-    if (is_centerd) center = middle;
+    is_centered = norm_max(Vec<S, D>(high - middle)) < norm_max(middle);
+    if (is_centered) center = middle;
     const S size = larger(norm_max(Vec<S, D>(high - center)), norm_max(Vec<S, D>(low - center)));
     if (is_finite && S(0) < size && ScalarTraits<S>::is_finite(size)) {
       detail::measure_size(points, size, *this);

@@ -40,7 +40,7 @@ struct Rounding {
   bool scans_placed = false;  ///< Scans see the vertices of both shapes as Z has them.
 
   /// The error of a vertex w of Z, apart from the u |w| of its last sum: that of the offset, u
-  /// radius where the vertex is centerd, (D - 1 + sqrt(D)) u radius where it is turned, and u
+  /// radius where the vertex is centered, (D - 1 + sqrt(D)) u radius where it is turned, and u
   /// extent for y - x. In one frame 0: w is one difference.
   R vertex_error = R(0);
 
@@ -97,8 +97,8 @@ template <class R, class S, int D>
     const R radius = body.radius * stretch;
     if (shape.pose.rotation.turns())
       out.moved = out.moved + ScalarTraits<R>::from(kTurnRoundings) * radius;
-    if (frames.centerd) {
-      if (measures.is_centerd) out.moved = out.moved + radius;
+    if (frames.centered) {
+      if (measures.is_centered) out.moved = out.moved + radius;
       to_centers =
           to_centers + careful_length(shape.pose.template rotated<R>(frames.in_unit(body.center)));
     }
